@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Coulomb's law with one coefficient, mu(v) = mu_0.
+#pragma once
+
+#include "ricochet/contact/friction_law.h"
+
+namespace ricochet
+{
+class ConstantFriction : public FrictionLaw
+{
+public:
+  static constexpr const char *name = "constant";
+
+  explicit ConstantFriction(const FrictionParameters &parameters) : mu_0(parameters.static_coefficient) {}
+
+  double coefficient(double) const override { return mu_0; }
+
+private:
+  double mu_0; // [-]
+};
+} // namespace ricochet

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Friction that decays with the sliding speed, mu(v) = mu_inf + (mu_0 - mu_inf) exp(-gamma v): the exponential
+// dynamic Coulomb law of the explicit impact codes (PRONTO, LS-DYNA: FS, FD, DC).
+#pragma once
+
+#include "ricochet/contact/friction_law.h"
+
+#include <cmath>
+
+namespace ricochet
+{
+class ExponentialFriction : public FrictionLaw
+{
+public:
+  static constexpr const char *name = "exponential";
+
+  explicit ExponentialFriction(const FrictionParameters &parameters) :
+    mu_0(parameters.static_coefficient), mu_inf(parameters.kinetic_coefficient), gamma(parameters.decay)
+  {}
+
+  double coefficient(const double speed) const override
+  {
+    return mu_inf + (mu_0 - mu_inf) * std::exp(-gamma * speed);
+  }
+
+private:
+  double mu_0;   // [-]
+  double mu_inf; // [-]
+  double gamma;  // [s/m]
+};
+} // namespace ricochet

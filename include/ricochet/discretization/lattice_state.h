@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// All that moves on a lattice: positions, velocities, forces, dilatation, bonds.
+#pragma once
+
+#include "ricochet/discretization/lattice.h"
+#include "ricochet/kernels/lattice_kernel.h"
+
+#include <memory>
+
+namespace ricochet
+{
+class LatticeState
+{
+public:
+  /// At rest in the reference configuration, all bonds intact.
+  explicit LatticeState(const Lattice &lattice);
+
+  LatticeArrays arrays; // into the storage below
+
+  void zero(double *field) const; // one of arrays' fields
+
+  /// Images across y = 0 take over position and velocity, or dilatation, of their originals.
+  void mirror_motion(const Lattice &lattice);
+  void mirror_theta(const Lattice &lattice);
+
+private:
+  struct Free
+  {
+    void operator()(double *p) const;
+  };
+  std::ptrdiff_t                     size_;
+  std::unique_ptr<double[], Free>    storage_;
+  std::vector<std::uint8_t>          bonds_;
+};
+} // namespace ricochet

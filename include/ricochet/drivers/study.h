@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Many runs of a base scene over the axes of a study file: one table, one CSV.
+#pragma once
+
+#include <mpi.h>
+#include <string>
+
+namespace ricochet
+{
+struct StudyOptions
+{
+  bool resume = false; // go on in an existing results folder: finished cases are not run again
+  bool quiet  = false; // no progress of the single runs
+};
+
+/**
+ * Runs every case of the study, each into its own folder, and writes study.csv after each. A case that fails is kept in
+ * the table with its reason and does not stop the others. A finished case is one whose summary says so and whose
+ * parameters are those of now.
+ *
+ * Collective. Returns the number of failed cases. Throws InputError or FileError for the study itself.
+ */
+int study(MPI_Comm communicator, const std::string &path, const StudyOptions &options);
+} // namespace ricochet

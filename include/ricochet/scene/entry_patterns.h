@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the value of an entry has to look like, as deal.II patterns that can also say what is wrong
+// with a value and what is expected instead.
+#pragma once
+
+#include "ricochet/scene/quantity.h"
+
+#include <deal.II/base/patterns.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ricochet
+{
+/// Base of all patterns of this program. An empty text always matches: it means "not given".
+class EntryPattern : public dealii::Patterns::PatternBase
+{
+public:
+  /// Why the value does not fit, a sentence; "" if it fits.
+  virtual std::string problem(const std::string &value) const = 0;
+
+  /// What is expected, "a length above 0 in um, mm, cm, m or in".
+  virtual std::string expected() const = 0;
+
+  bool match(const std::string &value) const override
+  {
+    return value.empty() || problem(value).empty();
+  }
+  std::string description(OutputStyle = Machine) const override { return "[" + expected() + "]"; }
+};
+
+/// One quantity or a tuple of quantities of the same dimension.
+class QuantityPattern : public EntryPattern
+{
+public:
+  /// components names the values of a tuple: {"length", "width"}; empty for a single value.
+  QuantityPattern(Dimension dimension, Limit limit, std::vector<std::string> components = {});
+
+  std::string problem(const std::string &value) const override;
+  std::string expected() const override;
+  std::unique_ptr<PatternBase> clone() const override;
+
+  /// The values in SI; the text must match.
+  std::vector<double> values(const std::string &text) const;
+
+private:
+  Dimension dimension_;
+  Limit limit_;
+  std::vector<std::string> components_;
+  unsigned int n_values_;
+};
+
+/// One of several words.
+class ChoicePattern : public EntryPattern
+{
+public:
+  explicit ChoicePattern(std::vector<std::string> choices);
+
+  std::string problem(const std::string &value) const override;
+  std::string expected() const override;
+  std::unique_ptr<PatternBase> clone() const override;
+
+private:
+  std::vector<std::string> choices_;
+};
+
+/// Any text.
+class TextPattern : public EntryPattern
+{
+public:
+  /// expected: what the text is, "a folder".
+  explicit TextPattern(std::string expected);
+
+  std::string problem(const std::string &) const override { return ""; }
+  std::string expected() const override { return expected_; }
+  std::unique_ptr<PatternBase> clone() const override;
+
+private:
+  std::string expected_;
+};
+} // namespace ricochet

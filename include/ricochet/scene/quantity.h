@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Physical quantities as text: a number with its unit, "30 mm", "5.9 GPa", "0.01 s/m", converted to
+// SI. A number without a unit is plain only where a plain number is meant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ricochet
+{
+enum class Dimension
+{
+  number, // dimensionless, written without a unit
+  length,
+  time,
+  mass,
+  angle,
+  speed,
+  slowness, // inverse speed
+  density,
+  stress,
+  surface_energy
+};
+
+/// Values a quantity may take.
+enum class Limit
+{
+  any,
+  not_negative,
+  positive,
+  fraction // 0 to 1, both included
+};
+
+/// "a length", "an angle".
+std::string dimension_name(Dimension dimension);
+
+/// The units a quantity of this dimension can be written in, "um, mm, cm, m or in"; "" for a
+/// number.
+std::string unit_names(Dimension dimension);
+
+struct ParsedQuantity
+{
+  double value;        // in SI; meaningless if there is a problem
+  std::string problem; // why the text is not such a quantity, a sentence; "" if it is one
+};
+
+/**
+ * Converts one number with its unit to SI. Blanks between them are optional; "kg/m^3" and "µs" are
+ * understood like "kg/m3" and "us". Infinite numbers and NaN are a problem.
+ */
+ParsedQuantity parse_quantity(const std::string &text, Dimension dimension, Limit limit);
+
+/// The same for n_values quantities separated by commas; values is empty if there is a problem.
+struct ParsedQuantities
+{
+  std::vector<double> values;
+  std::string problem;
+};
+ParsedQuantities parse_quantities(const std::string &text, Dimension dimension, Limit limit,
+                                  unsigned int n_values);
+} // namespace ricochet

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// From a parameter file to a checked scene, and back: the parameters that were used, and a
+// commented file to start from.
+#pragma once
+
+#include "ricochet/scene/parameter_file.h"
+#include "ricochet/scene/scene.h"
+
+#include <iosfwd>
+
+namespace ricochet
+{
+/**
+ * The scene a parameter file describes, in SI, with all defaults filled in.
+ *
+ * Throws InputError, in one message with file and line, for whatever is unknown, missing, of the
+ * wrong form or contradictory; see the checks in scene_reader.cc.
+ */
+Scene read_scene(const ParameterFile &file);
+
+/**
+ * Writes all parameters of a scene that read_scene accepts, defaults included and marked, units
+ * kept, in the order of their declaration. Read again, the text gives the same scene.
+ */
+void write_used_parameters(const ParameterFile &file, std::ostream &out);
+
+/// Writes a parameter file that runs, with one comment per entry which ends in what is expected.
+void print_template(std::ostream &out);
+} // namespace ricochet

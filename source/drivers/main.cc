@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The command line. The one place that catches exceptions.
+#include "ricochet/base/exceptions.h"
+#include "ricochet/drivers/bench.h"
+#include "ricochet/drivers/check.h"
+#include "ricochet/drivers/run.h"
+#include "ricochet/drivers/study.h"
+#include "ricochet/output/collective.h"
+#include "ricochet/scene/scene_reader.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <xmmintrin.h>
+
+namespace
+{
+using namespace ricochet;
+
+struct Arguments
+{
+  std::string              file, output;
+  std::vector<std::string> settings;
+  RunOptions               run;
+  StudyOptions             study;
+  KernelBenchOptions       bench;
+};
+
+ParameterFile parameter_file(const Arguments &arguments)
+{
+  auto overrides = parse_overrides(arguments.settings);
+  if (!arguments.output.empty())
+    overrides.push_back({"Output", "Directory", arguments.output, "command line (--output)"});
+  return ParameterFile(arguments.file, overrides);
+}
+
+void declare(CLI::App &app, Arguments &arguments)
+{
+  app.set_version_flag("--version", RICOCHET_VERSION);
+  app.require_subcommand(1);
+  const auto add_scene = [&](CLI::App *command) {
+    command->add_option("file", arguments.file, "parameter file (.prm)")->required();
+    command->add_option("--set", arguments.settings, "overrides one entry: --set \"Section/Entry=value\"; may be repeated")
+      ->allow_extra_args(false);
+  };
+
+  auto *run = app.add_subcommand("run", "run a parameter file; also under mpirun -np N");
+  add_scene(run);
+  run->add_option("--output", arguments.output, "results folder instead of the one in the file");
+  run->add_flag("--force", arguments.run.force, "overwrite the results in an existing folder");
+  run->add_flag("--quiet", arguments.run.quiet, "print nothing but errors");
+
+  add_scene(app.add_subcommand("check", "validate a parameter file and print what the run will cost"));
+
+  auto *study = app.add_subcommand("study", "run scenes over one or more axes and print one table");
+  study->add_option("file", arguments.file, "study file (.prm with a section Study)")->required();
+  study->add_flag("--resume", arguments.study.resume, "go on: skip the cases that are finished");
+  study->add_flag("--quiet", arguments.study.quiet, "no progress of the single runs");
+
+  auto *bench = app.add_subcommand("bench", "measure the speed of this machine");
+  bench->require_subcommand(1);
+  auto *kernel = bench->add_subcommand("kernel", "the peridynamic lattice kernel, with damage");
+  kernel->add_flag("--json", arguments.bench.json, "one JSON object");
+  kernel->add_option("--edge", arguments.bench.points_per_edge, "points along an edge of the cube")->capture_default_str();
+  kernel->add_option("--repeats", arguments.bench.repeats, "timed repeats, the median counts")->capture_default_str();
+  kernel->add_option("--instruction-set", arguments.bench.instruction_set, "avx512, avx2 or baseline; default: the best one");
+  kernel->add_option("--bond-model", arguments.bench.bond_model, "bond law")->capture_default_str();
+  kernel->add_flag("--holes", arguments.bench.holes, "cut a sphere out of the cube");
+
+  app.add_subcommand("template", "print a commented parameter file");
+}
+
+int execute(const CLI::App &app, const Arguments &arguments)
+{
+  const MPI_Comm communicator = MPI_COMM_WORLD;
+  if (app.got_subcommand("run"))
+    {
+      const auto summary = run(communicator, parameter_file(arguments), arguments.run);
+      if (!arguments.run.quiet && rank_in(communicator) == 0)
+        std::cout << describe(summary) << std::endl;
+      return summary.value("interrupted", false) ? 130 : 0;
+    }
+  if (app.got_subcommand("check"))
+    check(communicator, parameter_file(arguments));
+  if (app.got_subcommand("study"))
+    return study(communicator, arguments.file, arguments.study) == 0 ? 0 : 4;
+  if (app.got_subcommand("bench"))
+    bench_kernel(communicator, arguments.bench);
+  if (app.got_subcommand("template") && rank_in(communicator) == 0)
+    print_template(std::cout);
+  return 0;
+}
+
+int report(const std::exception &error, const int status)
+{
+  if (rank_in(MPI_COMM_WORLD) == 0)
+    std::cerr << "ricochet: " << error.what() << std::endl;
+  return status;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // Debris and quiet regions drift into denormal numbers, on which the processor is a hundred times slower.
+  _mm_setcsr(_mm_getcsr() | 0x8040);
+
+  CLI::App  app("ricochet: oblique impact and penetration with peridynamics");
+  Arguments arguments;
+  declare(app, arguments);
+  try
+    {
+      app.parse(argc, argv);
+      return execute(app, arguments);
+    }
+  catch (const CLI::ParseError &error)
+    {
+      std::ostringstream nowhere;
+      const bool         speaks = rank_in(MPI_COMM_WORLD) == 0;
+      const int          status = app.exit(error, speaks ? std::cout : nowhere, speaks ? std::cerr : nowhere);
+      return status == 0 ? 0 : 2;
+    }
+  catch (const InputError &error)
+    {
+      return report(error, 2);
+    }
+  catch (const FileError &error)
+    {
+      return report(error, 3);
+    }
+  catch (const RunError &error)
+    {
+      return report(error, 4);
+    }
+  catch (const std::exception &error)
+    {
+      // Not one of ours, so perhaps on this rank alone: do not wait for the others.
+      std::cerr << "ricochet: " << error.what() << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, 5);
+    }
+  return 5;
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The lattice loops for one instruction set; CMakeLists.txt gives this file its own compiler flags.
+#include "ricochet/kernels/simd_avx512.h"
+
+#include "ricochet/kernels/lattice_kernel_loops.h"
+
+namespace ricochet
+{
+extern const LatticeKernel *const lattice_kernels_avx512;
+const LatticeKernel *const        lattice_kernels_avx512 = kernels;
+} // namespace ricochet

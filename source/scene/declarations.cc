@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/scene/declarations.h"
+
+#include "ricochet/contact/friction_laws.h"
+#include "ricochet/materials/bond_laws.h"
+#include "ricochet/materials/influence_function.h"
+
+namespace ricochet
+{
+namespace
+{
+using PatternPointer = std::shared_ptr<const EntryPattern>;
+
+PatternPointer quantity(const Dimension dimension, const Limit limit,
+                        const std::vector<std::string> &components = {})
+{
+  return std::make_shared<QuantityPattern>(dimension, limit, components);
+}
+
+PatternPointer choice(const std::vector<std::string> &choices)
+{
+  return std::make_shared<ChoicePattern>(choices);
+}
+
+PatternPointer text(const std::string &expected)
+{
+  return std::make_shared<TextPattern>(expected);
+}
+
+PatternPointer flag()
+{
+  return choice({"true", "false"});
+}
+
+EntryDeclaration required(const std::string &name, const PatternPointer &pattern,
+                          const std::string &example, const std::string &documentation)
+{
+  return {name, pattern, Presence::required, "", example, documentation};
+}
+
+EntryDeclaration with_default(const std::string &name, const PatternPointer &pattern,
+                              const std::string &value, const std::string &documentation)
+{
+  return {name, pattern, Presence::optional, value, value, documentation};
+}
+
+EntryDeclaration named_after_file(const std::string &name, const PatternPointer &pattern,
+                                  const std::string &value, const std::string &example,
+                                  const std::string &documentation)
+{
+  return {name, pattern, Presence::optional, value, example, documentation};
+}
+
+EntryDeclaration optional(const std::string &name, const PatternPointer &pattern,
+                          const std::string &example, const std::string &documentation)
+{
+  return {name, pattern, Presence::optional, "", example, documentation};
+}
+
+std::vector<std::string> friction_law_names()
+{
+  std::vector<std::string> names;
+  for (const auto &law : friction_laws())
+    names.push_back(law.name);
+  return names;
+}
+
+std::vector<std::string> influence_function_names()
+{
+  std::vector<std::string> names;
+  for (const auto &function : influence_functions)
+    names.push_back(function.name);
+  return names;
+}
+
+SectionDeclaration top(const std::string &stem)
+{
+  return {"",
+          "",
+          {named_after_file("Title", text("any text"), stem, "An oblique impact",
+                            "What the run is called in its results, by default like the file"),
+           with_default("Symmetric", flag(), "true",
+                        "Whether only the half y > 0 is computed, mirrored at the plane y = 0")},
+          {}};
+}
+
+SectionDeclaration projectile()
+{
+  return {"Projectile",
+          "The projectile: a rigid body of revolution.",
+          {required("Nose shape", choice({"ogive", "cone", "hemisphere", "flat"}), "ogive",
+                    "Shape of the nose in front of the cylindrical shank"),
+           required("Diameter", quantity(Dimension::length, Limit::positive), "6.17 mm",
+                    "Diameter of the shank"),
+           required("Length", quantity(Dimension::length, Limit::positive), "27.6 mm",
+                    "Length from the base to the tip"),
+           optional("Nose length", quantity(Dimension::length, Limit::positive), "10.23 mm",
+                    "Length of an ogive or cone, a part of the length"),
+           optional("Caliber radius head", quantity(Dimension::number, Limit::positive), "3",
+                    "Instead of an ogive's nose length, the radius of its arc in diameters"),
+           optional("Mass", quantity(Dimension::mass, Limit::positive), "5.25 g",
+                    "Mass of the whole projectile"),
+           optional("Density", quantity(Dimension::density, Limit::positive), "7850 kg/m3",
+                    "Instead of the mass, the density of the homogeneous projectile")},
+          {{{{"Nose length"}, {"Caliber radius head"}}, "Nose shape", {"ogive"}},
+           {{{"Nose length"}}, "Nose shape", {"cone"}},
+           {{{"Mass"}, {"Density"}}}}};
+}
+
+SectionDeclaration impact()
+{
+  return {
+      "Impact",
+      "How the projectile arrives.",
+      {required("Speed", quantity(Dimension::speed, Limit::positive), "720 m/s",
+                "Speed of the projectile before the impact"),
+       required("Incidence angle", quantity(Dimension::angle, Limit::positive), "30 deg",
+                "Angle between the velocity and the plate's surface, at most 90 deg"),
+       with_default("Attack angle", quantity(Dimension::angle, Limit::any), "0 deg",
+                    "Angle between the projectile's axis and its velocity, nose up positive"),
+       required("Entry point", quantity(Dimension::length, Limit::any, {"x", "y"}), "50 mm, 0 mm",
+                "Where the velocity meets the plate, from the near edge and from the mid-plane"),
+       with_default("Clearance", quantity(Dimension::length, Limit::not_negative), "0.05 mm",
+                    "Distance between the projectile's lowest point and the plate at the "
+                    "start")},
+      {}};
+}
+
+SectionDeclaration plate(const unsigned int number)
+{
+  return {"Plate " + std::to_string(number),
+          "The plates are numbered from top to bottom: Plate 1, Plate 2 and so on.",
+          {required("Size",
+                    quantity(Dimension::length, Limit::positive, {"length", "width", "thickness"}),
+                    "200 mm, 100 mm, 30 mm",
+                    "Extent along the flight, across it in full, and downwards"),
+           required("Grid spacing", quantity(Dimension::length, Limit::positive), "1.5 mm",
+                    "Distance between neighbouring points"),
+           with_default("Horizon ratio", quantity(Dimension::number, Limit::positive), "3",
+                        "Horizon in grid spacings, at least 2"),
+           with_default("Influence function", choice(influence_function_names()), "cone",
+                        "Weight of a bond over its length"),
+           required("Material", text("the NAME of a section 'Material NAME'"), "PMMA",
+                    "Material of the plate"),
+           with_default("Gap", quantity(Dimension::length, Limit::not_negative), "0 mm",
+                        "Distance to the plate above; 0 for the first plate")},
+          {}};
+}
+
+SectionDeclaration material(const std::string &name)
+{
+  return {"Material " + name,
+          "A material, used by the plates that name it.",
+          {with_default("Bond model", choice(bond_law_names()), "linear peridynamic solid",
+                        "Force law of the bonds"),
+           required("Density", quantity(Dimension::density, Limit::positive), "1190 kg/m3",
+                    "Mass per volume"),
+           optional("Bulk modulus", quantity(Dimension::stress, Limit::positive), "5.9 GPa",
+                    "Bulk modulus, together with the shear modulus"),
+           optional("Shear modulus", quantity(Dimension::stress, Limit::positive), "2.258 GPa",
+                    "Shear modulus"),
+           optional("Young's modulus", quantity(Dimension::stress, Limit::positive), "6.01 GPa",
+                    "Instead of these moduli, Young's modulus, together with Poisson's ratio"),
+           optional("Poisson's ratio", quantity(Dimension::number, Limit::any), "0.33",
+                    "Poisson's ratio between -1 and 0.5"),
+           optional("Critical stretch", quantity(Dimension::number, Limit::positive), "0.011",
+                    "Relative elongation at which a bond breaks"),
+           optional("Energy release rate", quantity(Dimension::surface_energy, Limit::positive),
+                    "500 J/m2",
+                    "Instead of the critical stretch, the energy that a unit of crack area takes")},
+          {{{{"Bulk modulus", "Shear modulus"}, {"Young's modulus", "Poisson's ratio"}}},
+           {{{"Critical stretch"}, {"Energy release rate"}}}}};
+}
+
+SectionDeclaration contact()
+{
+  // Every law needs the static coefficient; Coulomb's constant law needs nothing else.
+  std::vector<std::string> decaying_laws;
+  for (const auto &name : friction_law_names())
+    if (name != ConstantFriction::name)
+      decaying_laws.push_back(name);
+
+  return {
+      "Contact",
+      "Contact of the projectile with the plates, and of fragments with each other.",
+      {with_default("Stiffness factor", quantity(Dimension::number, Limit::positive), "1",
+                    "Penalty stiffness per point, in Young's moduli times grid spacing"),
+       required("Friction law", choice(friction_law_names()), "exponential",
+                "Friction coefficient over the sliding speed"),
+       required("Static friction", quantity(Dimension::number, Limit::not_negative), "0.5",
+                "Friction coefficient at rest"),
+       optional("Kinetic friction", quantity(Dimension::number, Limit::not_negative), "0.05",
+                "Friction coefficient at high speed; not used by the constant law"),
+       optional("Friction decay", quantity(Dimension::slowness, Limit::not_negative), "0.01 s/m",
+                "Decay of the coefficient with the speed; not used by the constant law"),
+       with_default("Regularisation speed", quantity(Dimension::speed, Limit::positive), "5 m/s",
+                    "Sliding speed below which the friction falls linearly to zero"),
+       with_default("Shank resistance", quantity(Dimension::stress, Limit::not_negative), "500 MPa",
+                    "Pressure of the plate on the shank, for its friction only"),
+       with_default("Shank contact fraction", quantity(Dimension::number, Limit::fraction), "0.4",
+                    "Share of the shank that touches the plate; 0 switches its friction off"),
+       with_default("Debris stiffness factor", quantity(Dimension::number, Limit::not_negative),
+                    "15",
+                    "Repulsion of separated points, in units of the short-range stiffness; 0 "
+                    "switches it off")},
+      {{{{"Kinetic friction", "Friction decay"}}, "Friction law", decaying_laws}}};
+}
+
+SectionDeclaration time()
+{
+  return {
+      "Time",
+      "How long and in which steps.",
+      {required("Final time", quantity(Dimension::time, Limit::positive), "450 us",
+                "The run ends here at the latest"),
+       with_default("Safety factor", quantity(Dimension::number, Limit::positive), "0.8",
+                    "Time step in units of the largest stable one, at most 1"),
+       with_default("Stop early", flag(), "true",
+                    "Whether the run ends as soon as the outcome is decided"),
+       with_default("Free time", quantity(Dimension::time, Limit::positive), "5 us",
+                    "The outcome is decided when the projectile was free of contact this long")},
+      {}};
+}
+
+SectionDeclaration output(const std::string &stem)
+{
+  return {"Output",
+          "What is written, and where.",
+          {named_after_file("Directory", text("a folder, relative to where the program is started"),
+                            "output/" + stem, "output/oblique_impact",
+                            "Where the results go, by default output/ and the file's name"),
+           with_default("Frame interval", quantity(Dimension::time, Limit::not_negative), "20 us",
+                        "Time between two frames of all points; 0 us for none"),
+           with_default("History interval", quantity(Dimension::time, Limit::positive), "1 us",
+                        "Time between two rows of the history"),
+           with_default("ParaView files", flag(), "true",
+                        "Whether the frames are written for ParaView"),
+           with_default("Pictures", flag(), "true", "Whether pictures are drawn at the end")},
+          {}};
+}
+} // namespace
+
+std::vector<SectionDeclaration> scene_declarations(const std::string &stem,
+                                                   const unsigned int n_plates,
+                                                   const std::vector<std::string> &materials)
+{
+  std::vector<SectionDeclaration> sections{top(stem), projectile(), impact()};
+  for (unsigned int number = 1; number <= n_plates; ++number)
+    sections.push_back(plate(number));
+  for (const auto &name : materials)
+    sections.push_back(material(name));
+  sections.push_back(contact());
+  sections.push_back(time());
+  sections.push_back(output(stem));
+  return sections;
+}
+
+std::vector<SectionDeclaration> study_declarations(const std::string &stem)
+{
+  SectionDeclaration study{
+      "Study",
+      "Several runs: every scene with every combination of the axes' values.",
+      {named_after_file("Title", text("any text"), stem, "A study",
+                        "What the study is called in its results, by default like the file"),
+       required("Scenes", text("parameter files separated by commas, relative to this file"),
+                "base.prm", "The scenes to run"),
+       named_after_file(
+           "Output directory", text("a folder, relative to where the program is started"),
+           "output/" + stem, "output/study",
+           "Where the results go, one folder per case; by default output/ and the file's name"),
+       optional("Columns", text("names of columns separated by commas"), "outcome, exit_speed",
+                "Columns of the table of results")},
+      {}};
+  for (char number = '1'; number <= '9'; ++number)
+    study.entries.push_back(optional(
+        std::string("Axis ") + number, text("Section/Entry: value | value"),
+        "Plate 1/Grid spacing: 1.5 mm | 1.0 mm", "An entry of the scenes and the values it takes"));
+  return {study};
+}
+} // namespace ricochet

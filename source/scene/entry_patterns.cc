@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/scene/entry_patterns.h"
+
+#include "ricochet/scene/text_tools.h"
+
+#include <algorithm>
+
+namespace ricochet
+{
+QuantityPattern::QuantityPattern(const Dimension dimension, const Limit limit,
+                                 std::vector<std::string> components) :
+  dimension_(dimension),
+  limit_(limit), components_(std::move(components)),
+  n_values_(std::max<std::size_t>(1, components_.size()))
+{
+}
+
+std::string QuantityPattern::problem(const std::string &value) const
+{
+  return parse_quantities(value, dimension_, limit_, n_values_).problem;
+}
+
+std::string QuantityPattern::expected() const
+{
+  std::string text = dimension_name(dimension_);
+  if (n_values_ > 1)
+    text = joined(components_) + ", each " + text;
+  if (limit_ == Limit::positive)
+    text += " above 0";
+  if (limit_ == Limit::not_negative)
+    text += " of 0 or more";
+  if (limit_ == Limit::fraction)
+    text += " from 0 to 1";
+  return dimension_ == Dimension::number ? text : text + " in " + unit_names(dimension_);
+}
+
+std::unique_ptr<dealii::Patterns::PatternBase> QuantityPattern::clone() const
+{
+  return std::make_unique<QuantityPattern>(*this);
+}
+
+std::vector<double> QuantityPattern::values(const std::string &text) const
+{
+  return parse_quantities(text, dimension_, limit_, n_values_).values;
+}
+
+ChoicePattern::ChoicePattern(std::vector<std::string> choices) : choices_(std::move(choices)) {}
+
+std::string ChoicePattern::problem(const std::string &value) const
+{
+  if (std::find(choices_.begin(), choices_.end(), value) != choices_.end())
+    return "";
+  return "There is no choice " + in_quotes(value) + guess(value, choices_);
+}
+
+std::string ChoicePattern::expected() const
+{
+  return joined(choices_, " or ");
+}
+
+std::unique_ptr<dealii::Patterns::PatternBase> ChoicePattern::clone() const
+{
+  return std::make_unique<ChoicePattern>(*this);
+}
+
+TextPattern::TextPattern(std::string expected) : expected_(std::move(expected)) {}
+
+std::unique_ptr<dealii::Patterns::PatternBase> TextPattern::clone() const
+{
+  return std::make_unique<TextPattern>(*this);
+}
+} // namespace ricochet

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/scene/parameter_writer.h"
+
+#include "ricochet/scene/text_tools.h"
+
+#include <algorithm>
+#include <ostream>
+
+namespace ricochet
+{
+namespace
+{
+std::string padded(std::string text, const std::size_t width)
+{
+  text.resize(std::max(width, text.size()), ' ');
+  return text;
+}
+
+std::size_t longest_name(const SectionDeclaration &section)
+{
+  std::size_t longest = 0;
+  for (const auto &entry : section.entries)
+    longest = std::max(longest, entry.name.size());
+  return longest;
+}
+
+/// The text as comment lines of at most 100 characters.
+void write_comment(const std::string &text, const std::string &indent, std::ostream &out)
+{
+  constexpr std::size_t width = 100;
+  std::string line            = indent + "#";
+  for (const auto &word : split(text, ' '))
+  {
+    if (line.size() + 1 + word.size() > width)
+    {
+      out << line << '\n';
+      line = indent + "#";
+    }
+    line += " " + word;
+  }
+  out << line << '\n';
+}
+
+/// Whether the entry belongs to the second or a later option of a choice.
+bool is_alternative(const SectionDeclaration &section, const std::string &name)
+{
+  for (const auto &choice : section.choices)
+    for (std::size_t i = 1; i < choice.options.size(); ++i)
+      if (std::find(choice.options[i].begin(), choice.options[i].end(), name) !=
+          choice.options[i].end())
+        return true;
+  return false;
+}
+} // namespace
+
+void write_parameters(const Parameters &parameters, std::ostream &out)
+{
+  for (const auto &section : parameters.sections())
+  {
+    const std::string indent = section.name.empty() ? "" : "  ";
+    if (!section.name.empty())
+      out << "\nsubsection " << section.name << '\n';
+    for (const auto &entry : section.entries)
+    {
+      const std::string value = parameters.text(section.name, entry.name);
+      if (value.empty())
+        continue;
+      out << indent << "set " << padded(entry.name, longest_name(section)) << " = " << value
+          << (parameters.is_given(section.name, entry.name) ? "" : " # default") << '\n';
+    }
+    if (!section.name.empty())
+      out << "end\n";
+  }
+}
+
+void write_template(const std::vector<SectionDeclaration> &sections, std::ostream &out)
+{
+  write_comment("Parameters of an oblique impact. Every value carries its unit; everything after "
+                "a # is a comment. An entry behind a # has a default, or stands for the one before "
+                "it. Axes: x along "
+                "the plate and the flight, y across, z up.",
+                "", out);
+  out << '\n';
+  for (const auto &section : sections)
+  {
+    const std::string indent = section.name.empty() ? "" : "  ";
+    if (!section.name.empty())
+    {
+      out << '\n';
+      write_comment(section.documentation, "", out);
+      out << "subsection " << section.name << '\n';
+    }
+    for (const auto &entry : section.entries)
+    {
+      write_comment(entry.documentation + ": " + entry.pattern->expected() + ".", indent, out);
+      const bool named_after_file =
+          !entry.default_value.empty() && entry.default_value != entry.example;
+      out << indent << (named_after_file || is_alternative(section, entry.name) ? "# set " : "set ")
+          << padded(entry.name, longest_name(section)) << " = " << entry.example << '\n';
+    }
+    if (!section.name.empty())
+      out << "end\n";
+  }
+}
+} // namespace ricochet

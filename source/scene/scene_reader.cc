@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/scene/scene_reader.h"
+
+#include "ricochet/base/exceptions.h"
+#include "ricochet/base/units.h"
+#include "ricochet/materials/bond_laws.h"
+#include "ricochet/scene/parameter_writer.h"
+#include "ricochet/scene/parameters.h"
+#include "ricochet/scene/text_tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace ricochet
+{
+namespace
+{
+/// Three digits, so that it can be typed, and not above the value.
+std::string at_most(const double length)
+{
+  const double mm   = length / units::mm * (1. + 1e-12);
+  const double step = std::pow(10., std::floor(std::log10(mm)) - 2.);
+  return number_text(std::floor(mm / step) * step) + " mm";
+}
+
+std::string in_mm(const double length)
+{
+  return number_text(length / units::mm) + " mm";
+}
+
+/// 3 for "Plate 3", 0 for a name of another form.
+unsigned int plate_number(const std::string &section)
+{
+  const std::string prefix = "Plate ";
+  const std::string digits = section.substr(std::min(prefix.size(), section.size()));
+  if (section.rfind(prefix, 0) != 0 || digits.empty() || digits.size() > 4 || digits[0] == '0' ||
+      digits.find_first_not_of("0123456789") != std::string::npos)
+    return 0;
+  return static_cast<unsigned int>(std::stoul(digits));
+}
+
+unsigned int count_plates(const ParameterFile &file)
+{
+  std::vector<unsigned int> numbers;
+  for (const auto &section : file.sections())
+    if (section.in_file && plate_number(section.name) > 0)
+      numbers.push_back(plate_number(section.name));
+  std::sort(numbers.begin(), numbers.end());
+
+  for (unsigned int i = 0; i < numbers.size(); ++i)
+    if (numbers[i] != i + 1)
+      for (const auto &section : file.sections())
+        if (plate_number(section.name) == numbers[i])
+          throw InputError(section.origin + ": There is a " + in_quotes(section.name) +
+                           " but no 'Plate " + std::to_string(i + 1) +
+                           "'.\n  Number the plates 1, 2, 3 and so on, from top to bottom.");
+  return numbers.size();
+}
+
+/// The declared sections of this file: as many plates and materials as it has, at least one.
+std::vector<SectionDeclaration> sections_of(const ParameterFile &file)
+{
+  const std::string prefix = "Material ";
+  std::vector<std::string> materials;
+  for (const auto &section : file.sections())
+  {
+    if (section.name == "Study")
+      throw InputError(section.origin +
+                       ": This file describes a study, not a scene.\n  Run it with 'ricochet "
+                       "study'.");
+    if (section.in_file && section.name.rfind(prefix, 0) == 0)
+      materials.push_back(section.name.substr(prefix.size()));
+  }
+  // A file without materials gets those its plates ask for, or an example: the list of what is
+  // missing then says what to write.
+  if (materials.empty())
+    for (const auto &entry : file.entries())
+      if (plate_number(entry.section) > 0 && entry.name == "Material" && !entry.value.empty() &&
+          std::find(materials.begin(), materials.end(), entry.value) == materials.end())
+        materials.push_back(entry.value);
+  if (materials.empty())
+    materials.push_back("PMMA");
+  return scene_declarations(std::filesystem::path(file.path()).stem().string(),
+                            std::max(1U, count_plates(file)), materials);
+}
+
+NoseShape nose_shape(const std::string &name)
+{
+  if (name == "ogive")
+    return NoseShape::ogive;
+  if (name == "cone")
+    return NoseShape::cone;
+  return name == "hemisphere" ? NoseShape::hemisphere : NoseShape::flat;
+}
+
+BodyOfRevolution::Shape read_shape(const Parameters &parameters)
+{
+  const std::string in   = "Projectile";
+  const std::string name = parameters.text(in, "Nose shape");
+  BodyOfRevolution::Shape shape{nose_shape(name), parameters.quantity(in, "Diameter"),
+                                parameters.quantity(in, "Length"),
+                                parameters.quantity(in, "Nose length")};
+
+  const bool has_length = shape.nose == NoseShape::ogive || shape.nose == NoseShape::cone;
+  for (const std::string entry : {"Nose length", "Caliber radius head"})
+    if (parameters.is_given(in, entry) &&
+        (!has_length || (shape.nose == NoseShape::cone && entry == "Caliber radius head")))
+      parameters.fail(in, entry, "The nose shape '" + name + "' does not have this entry.",
+                      "Remove the line, or take an included one back with 'set " + entry + " ='.");
+
+  if (parameters.is_given(in, "Caliber radius head"))
+  {
+    // A tangent ogive whose arc has the radius crh * d: (crh d)^2 = l^2 + (crh d - d/2)^2.
+    const double crh = parameters.quantity(in, "Caliber radius head");
+    if (crh < 0.5)
+      parameters.fail(in, "Caliber radius head",
+                      "The radius of a tangent ogive's arc is at least half the diameter.",
+                      "Choose 0.5 (a hemisphere) or more.");
+    shape.nose_length = shape.diameter * std::sqrt(crh - 0.25);
+  }
+  return shape;
+}
+
+ProjectileParameters read_projectile(const Parameters &parameters)
+{
+  const BodyOfRevolution::Shape shape = read_shape(parameters);
+  try
+  {
+    const BodyOfRevolution body(shape);
+    const double mass = parameters.is_given("Projectile", "Mass")
+                            ? parameters.quantity("Projectile", "Mass")
+                            : parameters.quantity("Projectile", "Density") * body.volume();
+    return {body.shape(), mass};
+  }
+  catch (const InputError &error) // the body does not know which lines it comes from
+  {
+    const bool has_nose_length = parameters.is_given("Projectile", "Nose length");
+    throw InputError(parameters.origin("Projectile", has_nose_length ? "Nose length" : "Length") +
+                     ": " + error.what() +
+                     "\n  Change the shape, the diameter or the lengths in the section "
+                     "'Projectile'.");
+  }
+}
+
+PlateParameters read_plate(const Parameters &parameters, const std::string &in,
+                           const bool symmetric)
+{
+  const auto size = parameters.quantities(in, "Size");
+  PlateParameters plate{size[0],
+                        size[1],
+                        size[2],
+                        parameters.quantity(in, "Gap"),
+                        parameters.quantity(in, "Grid spacing"),
+                        parameters.quantity(in, "Horizon ratio"),
+                        InfluenceFunction::cone,
+                        parameters.text(in, "Material")};
+  for (const auto &choice : influence_functions)
+    if (choice.name == parameters.text(in, "Influence function"))
+      plate.influence_function = choice.function;
+
+  if (plate.horizon_ratio < 2.)
+    parameters.fail(in, "Horizon ratio",
+                    "A horizon under 2 spacings does not hold a plate together.",
+                    "Choose 2 or more; 3 is usual.");
+  const double horizon = plate.horizon_ratio * plate.spacing;
+  if (plate.thickness < horizon * (1. - 1e-9))
+    parameters.fail(
+        in, "Size",
+        "The plate is thinner than its horizon, " + in_mm(horizon) + " (" +
+            number_text(plate.horizon_ratio) + " grid spacings of " + in_mm(plate.spacing) + ").",
+        "Choose a grid spacing of " + at_most(plate.thickness / plate.horizon_ratio) + " or less.");
+
+  double n_points       = 1.;
+  const double extent[] = {plate.length, symmetric ? plate.width / 2. : plate.width,
+                           plate.thickness};
+  const char *axis[]    = {"length", symmetric ? "half width" : "width", "thickness"};
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const double n = std::round(extent[d] / plate.spacing);
+    n_points *= n;
+    if (n < 4.)
+      parameters.fail(in, "Grid spacing",
+                      "The " + std::string(axis[d]) + " of " + in_mm(extent[d]) + " holds " +
+                          number_text(n) + " points; at least 4 are needed.",
+                      "Choose a grid spacing of " + at_most(extent[d] / 4.) + " or less.");
+  }
+  constexpr double most = 2e9; // points are numbered with 32 bits
+  if (n_points > most)
+    parameters.fail(in, "Grid spacing",
+                    "The plate would have " + number_text(n_points) + " points; the limit is " +
+                        number_text(most) + ".",
+                    "Choose a larger grid spacing.");
+  return plate;
+}
+
+std::vector<PlateParameters> read_plates(const Parameters &parameters, const bool symmetric,
+                                         const std::vector<MaterialParameters> &materials)
+{
+  std::vector<std::string> names;
+  for (const auto &material : materials)
+    names.push_back(material.name);
+
+  std::vector<PlateParameters> plates;
+  for (const auto &section : parameters.sections())
+    if (plate_number(section.name) > 0)
+    {
+      const PlateParameters plate = read_plate(parameters, section.name, symmetric);
+      if (plates.empty() && plate.gap != 0.)
+        parameters.fail(section.name, "Gap", "There is no plate above the first one.",
+                        "Remove the line; the gap belongs to the lower plate.");
+      if (std::find(names.begin(), names.end(), plate.material) == names.end())
+        parameters.fail(section.name, "Material",
+                        "There is no section " + in_quotes("Material " + plate.material) +
+                            guess(plate.material, names),
+                        "The materials of this file are: " + joined(names) + ".");
+      plates.push_back(plate);
+    }
+  return plates;
+}
+
+ImpactParameters read_impact(const Parameters &parameters, const bool symmetric,
+                             const PlateParameters &plate)
+{
+  const std::string in = "Impact";
+  const auto entry     = parameters.quantities(in, "Entry point");
+  ImpactParameters impact{parameters.quantity(in, "Speed"),
+                          parameters.quantity(in, "Incidence angle"),
+                          parameters.quantity(in, "Attack angle"),
+                          entry[0],
+                          entry[1],
+                          parameters.quantity(in, "Clearance")};
+
+  constexpr double right_angle = 90. * units::deg * (1. + 1e-12);
+  if (impact.incidence_angle > right_angle)
+    parameters.fail(in, "Incidence angle", "The angle to the plate's surface is at most 90 deg.",
+                    "90 deg is a shot straight down, 10 deg a grazing one.");
+  if (std::abs(impact.attack_angle) >= 90. * units::deg)
+    parameters.fail(in, "Attack angle", "The projectile would fly sideways or backwards.",
+                    "Choose an angle between -90 deg and 90 deg.");
+  if (impact.entry_x < 0. || impact.entry_x > plate.length ||
+      std::abs(impact.entry_y) > plate.width / 2.)
+    parameters.fail(in, "Entry point", "The point is not on the first plate.",
+                    "x lies between 0 mm and " + in_mm(plate.length) + ", y between -" +
+                        in_mm(plate.width / 2.) + " and " + in_mm(plate.width / 2.) + ".");
+  if (symmetric && impact.entry_y != 0.)
+    parameters.fail(in, "Entry point", "A symmetric model needs an entry point with y = 0 mm.",
+                    "Set y to 0 mm, or compute the whole plate with 'set Symmetric = false'.");
+  return impact;
+}
+
+MaterialParameters read_material(const Parameters &parameters, const std::string &in)
+{
+  MaterialParameters material{in.substr(std::string("Material ").size()),
+                              parameters.text(in, "Bond model"),
+                              parameters.quantity(in, "Density"),
+                              parameters.quantity(in, "Bulk modulus"),
+                              parameters.quantity(in, "Shear modulus"),
+                              parameters.quantity(in, "Critical stretch"),
+                              parameters.quantity(in, "Energy release rate")};
+  if (parameters.is_given(in, "Young's modulus"))
+  {
+    const double E  = parameters.quantity(in, "Young's modulus");
+    const double nu = parameters.quantity(in, "Poisson's ratio");
+    if (!(nu > -1. && nu < 0.5))
+      parameters.fail(in, "Poisson's ratio", "No stable isotropic solid has this Poisson's ratio.",
+                      "Choose a value between -1 and 0.5, both excluded.");
+    material.bulk_modulus  = E / (3. * (1. - 2. * nu));
+    material.shear_modulus = E / (2. * (1. + nu));
+  }
+
+  const double K = material.bulk_modulus, mu = material.shear_modulus;
+  const double nu = (3. * K - 2. * mu) / (2. * (3. * K + mu));
+  if (bond_law(material.bond_model).fixes_poisson_ratio && std::abs(nu - 0.25) > 0.0025)
+    parameters.fail(in, "Bond model",
+                    "With this model Poisson's ratio is 0.25, but the moduli give " +
+                        number_text(nu) + ".",
+                    "Set the shear modulus to 0.6 times the bulk modulus, or Poisson's ratio to "
+                    "0.25, or choose another model.");
+  return material;
+}
+
+ContactParameters read_contact(const Parameters &parameters)
+{
+  const std::string in = "Contact";
+  const FrictionParameters friction{
+      parameters.text(in, "Friction law"), parameters.quantity(in, "Static friction"),
+      parameters.quantity(in, "Kinetic friction"), parameters.quantity(in, "Friction decay"),
+      parameters.quantity(in, "Regularisation speed")};
+  return {parameters.quantity(in, "Stiffness factor"), friction,
+          parameters.quantity(in, "Shank resistance"),
+          parameters.quantity(in, "Shank contact fraction"),
+          parameters.quantity(in, "Debris stiffness factor")};
+}
+
+TimeParameters read_time(const Parameters &parameters)
+{
+  const std::string in = "Time";
+  if (parameters.quantity(in, "Safety factor") > 1.)
+    parameters.fail(in, "Safety factor", "Steps above the stable one make the solution explode.",
+                    "Choose a value above 0 and not above 1; 0.8 is usual.");
+  return {parameters.quantity(in, "Final time"), parameters.quantity(in, "Safety factor"),
+          parameters.flag(in, "Stop early"), parameters.quantity(in, "Free time")};
+}
+
+OutputParameters read_output(const Parameters &parameters)
+{
+  const std::string in = "Output";
+  return {parameters.text(in, "Directory"), parameters.quantity(in, "Frame interval"),
+          parameters.quantity(in, "History interval"), parameters.flag(in, "ParaView files"),
+          parameters.flag(in, "Pictures")};
+}
+} // namespace
+
+Scene read_scene(const ParameterFile &file)
+{
+  const Parameters parameters(file, sections_of(file));
+
+  Scene scene;
+  scene.title      = parameters.text("", "Title");
+  scene.symmetric  = parameters.flag("", "Symmetric");
+  scene.projectile = read_projectile(parameters);
+  for (const auto &section : parameters.sections())
+    if (section.name.rfind("Material ", 0) == 0)
+      scene.materials.push_back(read_material(parameters, section.name));
+  scene.plates  = read_plates(parameters, scene.symmetric, scene.materials);
+  scene.impact  = read_impact(parameters, scene.symmetric, scene.plates.front());
+  scene.contact = read_contact(parameters);
+  scene.time    = read_time(parameters);
+  scene.output  = read_output(parameters);
+  return scene;
+}
+
+void write_used_parameters(const ParameterFile &file, std::ostream &out)
+{
+  write_parameters(Parameters(file, sections_of(file)), out);
+}
+
+void print_template(std::ostream &out)
+{
+  write_template(scene_declarations("template", 1, {"PMMA"}), out);
+}
+} // namespace ricochet
