@@ -18,16 +18,19 @@ void LatticeState::Free::operator()(double *p) const
   std::free(p);
 }
 
-LatticeState::LatticeState(const Lattice &lattice) : size_(lattice.size()), bonds_(lattice.intact_bonds())
+LatticeState::LatticeState(const Lattice &lattice) :
+  size_(lattice.size()), bonds_(lattice.intact_bonds())
 {
-  // Equal distances modulo 4096 bytes between the fields would make loads of one field wait for stores to another
-  // (the processor compares the low 12 address bits first); 4096/12 rounded to cache lines spreads them evenly.
+  // Equal distances modulo 4096 bytes between the fields would make loads of one field wait for
+  // stores to another (the processor compares the low 12 address bits first); 4096/12 rounded to
+  // cache lines spreads them evenly.
   const std::ptrdiff_t stride = (size_ + 511) / 512 * 512 + 48;
-  storage_.reset(static_cast<double *>(std::aligned_alloc(64, static_cast<std::size_t>(stride * n_fields * 8 + 63) / 64 * 64)));
+  storage_.reset(static_cast<double *>(
+      std::aligned_alloc(64, static_cast<std::size_t>(stride * n_fields * 8 + 63) / 64 * 64)));
   if (!storage_)
     throw std::bad_alloc();
   std::fill(storage_.get(), storage_.get() + stride * n_fields, 0.);
-  double    *next = storage_.get();
+  double *next    = storage_.get();
   const auto take = [&] { return std::exchange(next, next + stride); };
   for (int d = 0; d < 3; ++d)
     arrays.position[d] = take();
@@ -42,11 +45,11 @@ LatticeState::LatticeState(const Lattice &lattice) : size_(lattice.size()), bond
   arrays.owned        = lattice.owned_mask().data();
 
   for (std::ptrdiff_t p = 0; p < size_; ++p)
-    {
-      const Vector3 position = lattice.reference_position(lattice.coordinates(p));
-      for (int d = 0; d < 3; ++d)
-        arrays.position[d][p] = position[d];
-    }
+  {
+    const Vector3 position = lattice.reference_position(lattice.coordinates(p));
+    for (int d = 0; d < 3; ++d)
+      arrays.position[d][p] = position[d];
+  }
 }
 
 void LatticeState::zero(double *field) const
@@ -57,18 +60,21 @@ void LatticeState::zero(double *field) const
 void LatticeState::mirror_motion(const Lattice &lattice)
 {
   const double twice_plane = 2. * lattice.box().corner.y();
-  lattice.for_each_image([&](const std::ptrdiff_t image, const std::ptrdiff_t original) {
-    arrays.position[0][image] = arrays.position[0][original];
-    arrays.position[1][image] = twice_plane - arrays.position[1][original];
-    arrays.position[2][image] = arrays.position[2][original];
-    arrays.velocity[0][image] = arrays.velocity[0][original];
-    arrays.velocity[1][image] = -arrays.velocity[1][original];
-    arrays.velocity[2][image] = arrays.velocity[2][original];
-  });
+  lattice.for_each_image(
+      [&](const std::ptrdiff_t image, const std::ptrdiff_t original)
+      {
+        arrays.position[0][image] = arrays.position[0][original];
+        arrays.position[1][image] = twice_plane - arrays.position[1][original];
+        arrays.position[2][image] = arrays.position[2][original];
+        arrays.velocity[0][image] = arrays.velocity[0][original];
+        arrays.velocity[1][image] = -arrays.velocity[1][original];
+        arrays.velocity[2][image] = arrays.velocity[2][original];
+      });
 }
 
 void LatticeState::mirror_theta(const Lattice &lattice)
 {
-  lattice.for_each_image([&](const std::ptrdiff_t image, const std::ptrdiff_t original) { arrays.theta[image] = arrays.theta[original]; });
+  lattice.for_each_image([&](const std::ptrdiff_t image, const std::ptrdiff_t original)
+                         { arrays.theta[image] = arrays.theta[original]; });
 }
 } // namespace ricochet

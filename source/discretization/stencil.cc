@@ -8,57 +8,61 @@
 
 namespace ricochet
 {
-Stencil make_stencil(const double spacing, const double horizon_ratio, const InfluenceFunction influence_function)
+Stencil make_stencil(const double spacing, const double horizon_ratio,
+                     const InfluenceFunction influence_function)
 {
   if (!(horizon_ratio >= 1. && horizon_ratio <= 8.))
-    throw InputError("The horizon ratio is " + std::to_string(horizon_ratio) + "; it must lie between 1 and 8 (3 is usual).");
+    throw InputError("The horizon ratio is " + std::to_string(horizon_ratio) +
+                     "; it must lie between 1 and 8 (3 is usual).");
 
   Stencil stencil;
-  stencil.spacing = spacing;
-  stencil.horizon = horizon_ratio * spacing;
-  stencil.reach   = 0;
+  stencil.spacing       = spacing;
+  stencil.horizon       = horizon_ratio * spacing;
+  stencil.reach         = 0;
   stencil.squared_range = 0;
-  const int n     = static_cast<int>(std::floor(horizon_ratio + 1e-6));
-  // Offsets that differ only along the contiguous axis y write to overlapping addresses. The outer loop over y keeps
-  // such pairs far apart in time, so that the second does not wait for the store of the first.
+  const int n           = static_cast<int>(std::floor(horizon_ratio + 1e-6));
+  // Offsets that differ only along the contiguous axis y write to overlapping addresses. The outer
+  // loop over y keeps such pairs far apart in time, so that the second does not wait for the store
+  // of the first.
   for (int y = -n; y <= n; ++y)
     for (int x = 0; x <= n; ++x)
       for (int z = -n; z <= n; ++z)
-        {
-          if (!(x > 0 || (x == 0 && (z > 0 || (z == 0 && y > 0)))))
-            continue;
-          const double r     = std::sqrt(double(x * x + y * y + z * z));
-          const double ratio = std::min(r / horizon_ratio, 1.);
-          const double omega = influence(influence_function, ratio);
-          if (r > horizon_ratio * (1. + 1e-6) || omega <= 1e-9)
-            continue;
-          stencil.offsets.push_back({x, y, z, r * spacing, omega});
-          stencil.reach = std::max({stencil.reach, x, std::abs(y), std::abs(z)});
-          stencil.squared_range = std::max(stencil.squared_range, x * x + y * y + z * z);
-        }
+      {
+        if (!(x > 0 || (x == 0 && (z > 0 || (z == 0 && y > 0)))))
+          continue;
+        const double r     = std::sqrt(double(x * x + y * y + z * z));
+        const double ratio = std::min(r / horizon_ratio, 1.);
+        const double omega = influence(influence_function, ratio);
+        if (r > horizon_ratio * (1. + 1e-6) || omega <= 1e-9)
+          continue;
+        stencil.offsets.push_back({x, y, z, r * spacing, omega});
+        stencil.reach         = std::max({stencil.reach, x, std::abs(y), std::abs(z)});
+        stencil.squared_range = std::max(stencil.squared_range, x * x + y * y + z * z);
+      }
   return stencil;
 }
 
-FamilyConstants family_constants(const Stencil &stencil, const double bulk_modulus, const double shear_modulus)
+FamilyConstants family_constants(const Stencil &stencil, const double bulk_modulus,
+                                 const double shear_modulus)
 {
   const double volume = std::pow(stencil.spacing, 3);
-  double       m = 0., first = 0.;
+  double m = 0., first = 0.;
   for (const auto &o : stencil.offsets)
-    {
-      m += 2. * o.omega * o.length * o.length * volume;
-      first += 2. * o.omega * o.length * volume;
-    }
+  {
+    m += 2. * o.omega * o.length * o.length * volume;
+    first += 2. * o.omega * o.length * volume;
+  }
   return {bulk_modulus, shear_modulus, volume, m, first};
 }
 
 double fracture_energy_per_squared_stretch(const Stencil &stencil, const double bulk_modulus)
 {
-  // A bond at stretch s in a medium dilated by theta = 3 s holds 9 K omega |xi|^2 s^2 V^2 / m. An offset (x, y, z)
-  // crosses a plane normal to an axis as often per dx^2 as its component along that axis; the mean over the axes is
-  // taken, they are equal for a full stencil.
+  // A bond at stretch s in a medium dilated by theta = 3 s holds 9 K omega |xi|^2 s^2 V^2 / m. An
+  // offset (x, y, z) crosses a plane normal to an axis as often per dx^2 as its component along
+  // that axis; the mean over the axes is taken, they are equal for a full stencil.
   const double volume = std::pow(stencil.spacing, 3);
   const double m      = family_constants(stencil, bulk_modulus, 0.).weighted_volume;
-  double       sum    = 0.;
+  double sum          = 0.;
   for (const auto &o : stencil.offsets)
     sum += (std::abs(o.x) + std::abs(o.y) + std::abs(o.z)) / 3. * o.omega * o.length * o.length;
   return 9. * bulk_modulus / m * sum * volume * volume / (stencil.spacing * stencil.spacing);

@@ -19,19 +19,24 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
 {
   using namespace units;
   if (options.points_per_edge < 8 || options.points_per_edge > 400 || options.repeats < 1)
-    throw InputError("bench kernel: --edge " + std::to_string(options.points_per_edge) + " and --repeats " + std::to_string(options.repeats) +
+    throw InputError("bench kernel: --edge " + std::to_string(options.points_per_edge) +
+                     " and --repeats " + std::to_string(options.repeats) +
                      " must lie in 8 to 400 and be at least 1.");
-  const int                 n        = options.points_per_edge;
-  const Stencil             stencil  = make_stencil(1. * mm, 3., InfluenceFunction::cone);
-  const double              K        = 5.9 * GPa;
-  const auto               &law      = bond_law(options.bond_model);
-  const PeridynamicMaterial material{&law, 1190., K, law.fixes_poisson_ratio ? 0.6 * K : 2.258 * GPa, 0.01};
-  const Lattice::Mask       sphere = [n](const int x, const int y, const int z) {
+  const int n           = options.points_per_edge;
+  const Stencil stencil = make_stencil(1. * mm, 3., InfluenceFunction::cone);
+  const double K        = 5.9 * GPa;
+  const auto &law       = bond_law(options.bond_model);
+  const PeridynamicMaterial material{&law, 1190., K,
+                                     law.fixes_poisson_ratio ? 0.6 * K : 2.258 * GPa, 0.01};
+  const Lattice::Mask sphere = [n](const int x, const int y, const int z)
+  {
     const auto square = [](const double d) { return d * d; };
     return square(x - n / 2) + square(y - n / 2) + square(z - n / 2) > square(n / 4.);
   };
-  PeridynamicForce body(communicator, 0, {Vector3::Zero(), stencil.spacing, {n, n, n}, false}, stencil, material,
-                        options.holes ? sphere : Lattice::Mask{}, options.instruction_set.empty() ? nullptr : options.instruction_set.c_str());
+  PeridynamicForce body(communicator, 0, {Vector3::Zero(), stencil.spacing, {n, n, n}, false},
+                        stencil, material, options.holes ? sphere : Lattice::Mask{},
+                        options.instruction_set.empty() ? nullptr
+                                                        : options.instruction_set.c_str());
 
   // A stretched cube that swings freely: nothing is at rest, nothing breaks.
   auto &a = body.state().arrays;
@@ -39,25 +44,26 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
     a.position[0][p] *= 1.001;
   const double dt = 0.2e-6;
 
-  const double        bonds = body.count_bonds();
-  const int           steps = std::max(1, static_cast<int>(2e8 / (2. * bonds)));
+  const double bonds = body.count_bonds();
+  const int steps    = std::max(1, static_cast<int>(2e8 / (2. * bonds)));
   std::vector<double> rates;
-  int                 n_ranks;
+  int n_ranks;
   MPI_Comm_size(communicator, &n_ranks);
   for (int repeat = 0; repeat < options.repeats; ++repeat)
+  {
+    MPI_Barrier(communicator);
+    const auto start = std::chrono::steady_clock::now();
+    for (int step = 0; step < steps; ++step)
     {
-      MPI_Barrier(communicator);
-      const auto start = std::chrono::steady_clock::now();
-      for (int step = 0; step < steps; ++step)
-        {
-          body.update_ghosts();
-          body.evaluate(/*breaking=*/true, /*energy=*/false);
-          body.advance(dt, dt);
-        }
-      MPI_Barrier(communicator);
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      rates.push_back(2. * bonds * steps / seconds / n_ranks);
+      body.update_ghosts();
+      body.evaluate(/*breaking=*/true, /*energy=*/false);
+      body.advance(dt, dt);
     }
+    MPI_Barrier(communicator);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    rates.push_back(2. * bonds * steps / seconds / n_ranks);
+  }
   std::sort(rates.begin(), rates.end());
   double points = static_cast<double>(body.lattice().n_owned_points());
   MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_DOUBLE, MPI_SUM, communicator);
@@ -77,8 +83,10 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
   if (options.json)
     std::cout << result.dump(2) << std::endl;
   else
-    std::printf("%s, %s: %.0f points, %.3g M directed bonds, %d rank%s: %.0f M directed bonds/s per core (worst %.0f, best %.0f of %d)\n",
-                body.kernel().instruction_set, law.name, points, 2e-6 * bonds, n_ranks, n_ranks == 1 ? "" : "s",
-                1e-6 * rates[rates.size() / 2], 1e-6 * rates.front(), 1e-6 * rates.back(), options.repeats);
+    std::printf("%s, %s: %.0f points, %.3g M directed bonds, %d rank%s: %.0f M directed bonds/s "
+                "per core (worst %.0f, best %.0f of %d)\n",
+                body.kernel().instruction_set, law.name, points, 2e-6 * bonds, n_ranks,
+                n_ranks == 1 ? "" : "s", 1e-6 * rates[rates.size() / 2], 1e-6 * rates.front(),
+                1e-6 * rates.back(), options.repeats);
 }
 } // namespace ricochet

@@ -22,11 +22,11 @@ using namespace ricochet;
 
 struct Arguments
 {
-  std::string              file, output;
+  std::string file, output;
   std::vector<std::string> settings;
-  RunOptions               run;
-  StudyOptions             study;
-  KernelBenchOptions       bench;
+  RunOptions run;
+  StudyOptions study;
+  KernelBenchOptions bench;
 };
 
 ParameterFile parameter_file(const Arguments &arguments)
@@ -41,10 +41,13 @@ void declare(CLI::App &app, Arguments &arguments)
 {
   app.set_version_flag("--version", RICOCHET_VERSION);
   app.require_subcommand(1);
-  const auto add_scene = [&](CLI::App *command) {
+  const auto add_scene = [&](CLI::App *command)
+  {
     command->add_option("file", arguments.file, "parameter file (.prm)")->required();
-    command->add_option("--set", arguments.settings, "overrides one entry: --set \"Section/Entry=value\"; may be repeated")
-      ->allow_extra_args(false);
+    command
+        ->add_option("--set", arguments.settings,
+                     "overrides one entry: --set \"Section/Entry=value\"; may be repeated")
+        ->allow_extra_args(false);
   };
 
   auto *run = app.add_subcommand("run", "run a parameter file; also under mpirun -np N");
@@ -53,7 +56,8 @@ void declare(CLI::App &app, Arguments &arguments)
   run->add_flag("--force", arguments.run.force, "overwrite the results in an existing folder");
   run->add_flag("--quiet", arguments.run.quiet, "print nothing but errors");
 
-  add_scene(app.add_subcommand("check", "validate a parameter file and print what the run will cost"));
+  add_scene(
+      app.add_subcommand("check", "validate a parameter file and print what the run will cost"));
 
   auto *study = app.add_subcommand("study", "run scenes over one or more axes and print one table");
   study->add_option("file", arguments.file, "study file (.prm with a section Study)")->required();
@@ -64,9 +68,12 @@ void declare(CLI::App &app, Arguments &arguments)
   bench->require_subcommand(1);
   auto *kernel = bench->add_subcommand("kernel", "the peridynamic lattice kernel, with damage");
   kernel->add_flag("--json", arguments.bench.json, "one JSON object");
-  kernel->add_option("--edge", arguments.bench.points_per_edge, "points along an edge of the cube")->capture_default_str();
-  kernel->add_option("--repeats", arguments.bench.repeats, "timed repeats, the median counts")->capture_default_str();
-  kernel->add_option("--instruction-set", arguments.bench.instruction_set, "avx512, avx2 or baseline; default: the best one");
+  kernel->add_option("--edge", arguments.bench.points_per_edge, "points along an edge of the cube")
+      ->capture_default_str();
+  kernel->add_option("--repeats", arguments.bench.repeats, "timed repeats, the median counts")
+      ->capture_default_str();
+  kernel->add_option("--instruction-set", arguments.bench.instruction_set,
+                     "avx512, avx2 or baseline; default: the best one");
   kernel->add_option("--bond-model", arguments.bench.bond_model, "bond law")->capture_default_str();
   kernel->add_flag("--holes", arguments.bench.holes, "cut a sphere out of the cube");
 
@@ -77,12 +84,12 @@ int execute(const CLI::App &app, const Arguments &arguments)
 {
   const MPI_Comm communicator = MPI_COMM_WORLD;
   if (app.got_subcommand("run"))
-    {
-      const auto summary = run(communicator, parameter_file(arguments), arguments.run);
-      if (!arguments.run.quiet && rank_in(communicator) == 0)
-        std::cout << describe(summary) << std::endl;
-      return summary.value("interrupted", false) ? 130 : 0;
-    }
+  {
+    const auto summary = run(communicator, parameter_file(arguments), arguments.run);
+    if (!arguments.run.quiet && rank_in(communicator) == 0)
+      std::cout << describe(summary) << std::endl;
+    return summary.value("interrupted", false) ? 130 : 0;
+  }
   if (app.got_subcommand("check"))
     check(communicator, parameter_file(arguments));
   if (app.got_subcommand("study"))
@@ -105,41 +112,42 @@ int report(const std::exception &error, const int status)
 int main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  // Debris and quiet regions drift into denormal numbers, on which the processor is a hundred times slower.
+  // Debris and quiet regions drift into denormal numbers, on which the processor is a hundred times
+  // slower.
   _mm_setcsr(_mm_getcsr() | 0x8040);
 
-  CLI::App  app("ricochet: oblique impact and penetration with peridynamics");
+  CLI::App app("ricochet: oblique impact and penetration with peridynamics");
   Arguments arguments;
   declare(app, arguments);
   try
-    {
-      app.parse(argc, argv);
-      return execute(app, arguments);
-    }
+  {
+    app.parse(argc, argv);
+    return execute(app, arguments);
+  }
   catch (const CLI::ParseError &error)
-    {
-      std::ostringstream nowhere;
-      const bool         speaks = rank_in(MPI_COMM_WORLD) == 0;
-      const int          status = app.exit(error, speaks ? std::cout : nowhere, speaks ? std::cerr : nowhere);
-      return status == 0 ? 0 : 2;
-    }
+  {
+    std::ostringstream nowhere;
+    const bool speaks = rank_in(MPI_COMM_WORLD) == 0;
+    const int status  = app.exit(error, speaks ? std::cout : nowhere, speaks ? std::cerr : nowhere);
+    return status == 0 ? 0 : 2;
+  }
   catch (const InputError &error)
-    {
-      return report(error, 2);
-    }
+  {
+    return report(error, 2);
+  }
   catch (const FileError &error)
-    {
-      return report(error, 3);
-    }
+  {
+    return report(error, 3);
+  }
   catch (const RunError &error)
-    {
-      return report(error, 4);
-    }
+  {
+    return report(error, 4);
+  }
   catch (const std::exception &error)
-    {
-      // Not one of ours, so perhaps on this rank alone: do not wait for the others.
-      std::cerr << "ricochet: " << error.what() << std::endl;
-      MPI_Abort(MPI_COMM_WORLD, 5);
-    }
+  {
+    // Not one of ours, so perhaps on this rank alone: do not wait for the others.
+    std::cerr << "ricochet: " << error.what() << std::endl;
+    MPI_Abort(MPI_COMM_WORLD, 5);
+  }
   return 5;
 }

@@ -15,35 +15,38 @@ constexpr double rest_speed = 0.01;
 const char *name_of(const Outcome outcome)
 {
   switch (outcome)
-    {
-      case Outcome::ricochet:
-        return "ricochet";
-      case Outcome::perforate:
-        return "perforate";
-      case Outcome::stuck:
-        return "stuck";
-      case Outcome::undecided:
-        break;
-    }
+  {
+    case Outcome::ricochet:
+      return "ricochet";
+    case Outcome::perforate:
+      return "perforate";
+    case Outcome::stuck:
+      return "stuck";
+    case Outcome::undecided:
+      break;
+  }
   return "undecided";
 }
 
 OutcomeWatch::OutcomeWatch(const Simulation &simulation) :
   simulation_(simulation), last_position_(simulation.projectile().motion().position)
-{}
+{
+}
 
 std::string OutcomeWatch::face_left_behind(const bool centroid) const
 {
-  const auto   &motion      = simulation_.projectile().motion();
-  const auto [low, high]    = simulation_.target_box();
-  const auto    box         = centroid ? std::make_pair(motion.position, motion.position) : simulation_.projectile().bounding_box();
-  const Vector3 &v          = motion.velocity;
+  const auto &motion     = simulation_.projectile().motion();
+  const auto [low, high] = simulation_.target_box();
+  const auto box         = centroid ? std::make_pair(motion.position, motion.position)
+                                    : simulation_.projectile().bounding_box();
+  const Vector3 &v       = motion.velocity;
   if (box.first.z() > high.z() && v.z() > 0.)
     return "front";
   if (box.second.z() < low.z() && v.z() < 0.)
     return "rear";
   for (const int axis : {0, 1})
-    if ((box.first[axis] > high[axis] && v[axis] > 0.) || (box.second[axis] < low[axis] && v[axis] < 0.))
+    if ((box.first[axis] > high[axis] && v[axis] > 0.) ||
+        (box.second[axis] < low[axis] && v[axis] < 0.))
       return "edge";
   return "none";
 }
@@ -54,7 +57,8 @@ void OutcomeWatch::update()
   const auto &motion     = projectile.motion();
   path_ += (motion.position - last_position_).norm();
   last_position_ = motion.position;
-  max_depth_     = std::max(max_depth_, simulation_.target_box().second.z() - projectile.bounding_box().first.z());
+  max_depth_     = std::max(max_depth_,
+                            simulation_.target_box().second.z() - projectile.bounding_box().first.z());
 
   if (simulation_.reaction().n_touching > 0.)
     last_contact_ = simulation_.time();
@@ -62,30 +66,37 @@ void OutcomeWatch::update()
     last_motion_ = simulation_.time();
 
   const double free_time = simulation_.scene().time.free_time;
-  const bool   free      = simulation_.time() - last_contact_ >= free_time && face_left_behind(false) != "none";
-  const bool   at_rest   = simulation_.time() - last_motion_ >= free_time;
-  decided_               = free || at_rest;
+  const bool free =
+      simulation_.time() - last_contact_ >= free_time && face_left_behind(false) != "none";
+  const bool at_rest = simulation_.time() - last_motion_ >= free_time;
+  decided_           = free || at_rest;
 }
 
 Verdict OutcomeWatch::verdict(const std::string &other_reason) const
 {
   char text[200];
-  // A run that is cut short is judged by the centroid: a projectile that is on its way out has been decided too.
+  // A run that is cut short is judged by the centroid: a projectile that is on its way out has been
+  // decided too.
   const std::string face = face_left_behind(!decided_);
   if (face == "none")
+  {
+    if (decided_)
     {
-      if (decided_)
-        {
-          std::snprintf(text, sizeof text, "the projectile is at rest (below %g %% of the impact speed)", 100. * rest_speed);
-          return {Outcome::stuck, face, text};
-        }
-      return {Outcome::undecided, face, other_reason};
+      std::snprintf(text, sizeof text,
+                    "the projectile is at rest (below %g %% of the impact speed)",
+                    100. * rest_speed);
+      return {Outcome::stuck, face, text};
     }
+    return {Outcome::undecided, face, other_reason};
+  }
   if (decided_)
-    std::snprintf(text, sizeof text, "the projectile has left through the %s and touched nothing for %g us", face == "edge" ? "edge" : (face + " face").c_str(),
+    std::snprintf(text, sizeof text,
+                  "the projectile has left through the %s and touched nothing for %g us",
+                  face == "edge" ? "edge" : (face + " face").c_str(),
                   1e6 * simulation_.scene().time.free_time);
   else
-    std::snprintf(text, sizeof text, "%s, with the projectile's centre outside and on its way out", other_reason.c_str());
+    std::snprintf(text, sizeof text, "%s, with the projectile's centre outside and on its way out",
+                  other_reason.c_str());
   return {face == "front" ? Outcome::ricochet : Outcome::perforate, face, text};
 }
 } // namespace ricochet

@@ -29,42 +29,58 @@ namespace
 {
 using namespace units;
 
-const std::vector<History::Column> history_columns{
-  {"time", "us"},           {"x", "mm"},
-  {"y", "mm"},              {"z", "mm"},
-  {"speed", "m/s"},         {"velocity x", "m/s"},
-  {"velocity y", "m/s"},    {"velocity z", "m/s"},
-  {"pitch", "deg"},         {"spin x", "rad/s"},
-  {"spin y", "rad/s"},      {"spin z", "rad/s"},
-  {"tip depth", "mm"},      {"force normal", "kN"},
-  {"force friction", "kN"}, {"force shank", "kN"},
-  {"force x", "kN"},        {"force y", "kN"},
-  {"force z", "kN"},        {"energy projectile", "J"},
-  {"energy kinetic", "J"},  {"energy strain", "J"},
-  {"energy contact", "J"},  {"energy debris", "J"},
-  {"work friction", "J"},   {"energy fracture", "J"},
-  {"energy residual", "J"}, {"residual relative", "-"},
-  {"broken bonds", "-"}};
+const std::vector<History::Column> history_columns{{"time", "us"},
+                                                   {"x", "mm"},
+                                                   {"y", "mm"},
+                                                   {"z", "mm"},
+                                                   {"speed", "m/s"},
+                                                   {"velocity x", "m/s"},
+                                                   {"velocity y", "m/s"},
+                                                   {"velocity z", "m/s"},
+                                                   {"pitch", "deg"},
+                                                   {"spin x", "rad/s"},
+                                                   {"spin y", "rad/s"},
+                                                   {"spin z", "rad/s"},
+                                                   {"tip depth", "mm"},
+                                                   {"force normal", "kN"},
+                                                   {"force friction", "kN"},
+                                                   {"force shank", "kN"},
+                                                   {"force x", "kN"},
+                                                   {"force y", "kN"},
+                                                   {"force z", "kN"},
+                                                   {"energy projectile", "J"},
+                                                   {"energy kinetic", "J"},
+                                                   {"energy strain", "J"},
+                                                   {"energy contact", "J"},
+                                                   {"energy debris", "J"},
+                                                   {"work friction", "J"},
+                                                   {"energy fracture", "J"},
+                                                   {"energy residual", "J"},
+                                                   {"residual relative", "-"},
+                                                   {"broken bonds", "-"}};
 
-// Penetration which cannot be right any more: the balance is off by a quarter of all energy there was.
+// Penetration which cannot be right any more: the balance is off by a quarter of all energy there
+// was.
 constexpr double runaway_share = 0.25;
 
 class Run
 {
 public:
   Run(const MPI_Comm communicator, const ParameterFile &file, const RunOptions &options) :
-    communicator_(communicator), file_(file), options_(options), scene_(read_scene(file)), simulation_(communicator, scene_),
-    watch_(simulation_), directory_(scene_.output.directory)
+    communicator_(communicator), file_(file), options_(options), scene_(read_scene(file)),
+    simulation_(communicator, scene_), watch_(simulation_), directory_(scene_.output.directory)
   {
     MPI_Comm_size(communicator, &n_ranks_);
     prepare_result_directory(communicator, directory_, options.force);
-    on_first_rank(communicator, [&] {
-      std::ostringstream used;
-      write_used_parameters(file, used);
-      write_file(directory_ / "used.prm", used.str());
-    });
-    history_ = std::make_unique<History>(communicator, directory_, history_columns);
-    frames_  = std::make_unique<FieldWriter>(communicator, directory_, scene_.output.vtu);
+    on_first_rank(communicator,
+                  [&]
+                  {
+                    std::ostringstream used;
+                    write_used_parameters(file, used);
+                    write_file(directory_ / "used.prm", used.str());
+                  });
+    history_       = std::make_unique<History>(communicator, directory_, history_columns);
+    frames_        = std::make_unique<FieldWriter>(communicator, directory_, scene_.output.vtu);
     n_points_      = simulation_.n_points();
     n_bonds_       = simulation_.n_bonds();
     start_momenta_ = simulation_.momenta();
@@ -74,16 +90,16 @@ public:
   {
     Progress progress(communicator_, scene_.time.end_time, options_.quiet);
     try
-      {
-        loop(progress);
-      }
+    {
+      loop(progress);
+    }
     catch (const RunError &error)
-      {
-        // What there is stays usable: close the history and say what happened.
-        progress.finish();
-        finish({Outcome::undecided, "none", error.what()}, /*failed=*/true);
-        throw;
-      }
+    {
+      // What there is stays usable: close the history and say what happened.
+      progress.finish();
+      finish({Outcome::undecided, "none", error.what()}, /*failed=*/true);
+      throw;
+    }
     progress.finish();
     const auto summary = finish(watch_.verdict(stop_reason_), /*failed=*/false);
     if (scene_.output.pictures)
@@ -96,30 +112,31 @@ private:
   {
     Interruption interruption;
     for (bool last = false;;)
-      {
-        const bool record_due = last || simulation_.time() >= next_record_;
-        const bool frame_due  = scene_.output.frame_interval > 0. && (last || simulation_.time() >= next_frame_);
-        simulation_.evaluate(record_due);
-        watch_.update();
-        warn_about_penetration();
-        if (record_due)
-          record();
-        if (frame_due)
-          write_frame();
-        show(progress);
-        if (last)
-          return;
+    {
+      const bool record_due = last || simulation_.time() >= next_record_;
+      const bool frame_due =
+          scene_.output.frame_interval > 0. && (last || simulation_.time() >= next_frame_);
+      simulation_.evaluate(record_due);
+      watch_.update();
+      warn_about_penetration();
+      if (record_due)
+        record();
+      if (frame_due)
+        write_frame();
+      show(progress);
+      if (last)
+        return;
 
-        simulation_.advance();
-        if (interruption.requested(communicator_))
-          {
-            interrupted_ = true;
-            stop_reason_ = "interrupted";
-          }
-        else if (simulation_.time() >= scene_.time.end_time)
-          stop_reason_ = "the final time was reached";
-        last = !stop_reason_.empty() || (scene_.time.stop_early && watch_.decided());
+      simulation_.advance();
+      if (interruption.requested(communicator_))
+      {
+        interrupted_ = true;
+        stop_reason_ = "interrupted";
       }
+      else if (simulation_.time() >= scene_.time.end_time)
+        stop_reason_ = "the final time was reached";
+      last = !stop_reason_.empty() || (scene_.time.stop_early && watch_.decided());
+    }
   }
 
   void record()
@@ -127,26 +144,51 @@ private:
     while (next_record_ <= simulation_.time())
       next_record_ += scene_.output.history_interval;
     simulation_.check_finite();
-    energies_                    = simulation_.energies();
-    broken_bonds_                = simulation_.broken_bonds();
-    const auto  &motion          = simulation_.projectile().motion();
-    const auto  &reaction        = simulation_.reaction();
-    const Vector3 force          = reaction.force();
-    const double tip_depth       = simulation_.target_box().second.z() - simulation_.projectile().bounding_box().first.z();
-    history_->append({simulation_.time() / us, motion.position.x() / mm, motion.position.y() / mm, motion.position.z() / mm,
-                      motion.velocity.norm(), motion.velocity.x(), motion.velocity.y(), motion.velocity.z(),
-                      simulation_.projectile().pitch() / deg, motion.spin.x(), motion.spin.y(), motion.spin.z(), tip_depth / mm,
-                      reaction.normal.norm() / 1e3, reaction.friction.norm() / 1e3, reaction.shank.norm() / 1e3, force.x() / 1e3,
-                      force.y() / 1e3, force.z() / 1e3, energies_.projectile, energies_.kinetic, energies_.strain, energies_.contact,
-                      energies_.debris, energies_.friction, energies_.fracture, energies_.residual(), residual(), broken_bonds_});
+    energies_            = simulation_.energies();
+    broken_bonds_        = simulation_.broken_bonds();
+    const auto &motion   = simulation_.projectile().motion();
+    const auto &reaction = simulation_.reaction();
+    const Vector3 force  = reaction.force();
+    const double tip_depth =
+        simulation_.target_box().second.z() - simulation_.projectile().bounding_box().first.z();
+    history_->append({simulation_.time() / us,
+                      motion.position.x() / mm,
+                      motion.position.y() / mm,
+                      motion.position.z() / mm,
+                      motion.velocity.norm(),
+                      motion.velocity.x(),
+                      motion.velocity.y(),
+                      motion.velocity.z(),
+                      simulation_.projectile().pitch() / deg,
+                      motion.spin.x(),
+                      motion.spin.y(),
+                      motion.spin.z(),
+                      tip_depth / mm,
+                      reaction.normal.norm() / 1e3,
+                      reaction.friction.norm() / 1e3,
+                      reaction.shank.norm() / 1e3,
+                      force.x() / 1e3,
+                      force.y() / 1e3,
+                      force.z() / 1e3,
+                      energies_.projectile,
+                      energies_.kinetic,
+                      energies_.strain,
+                      energies_.contact,
+                      energies_.debris,
+                      energies_.friction,
+                      energies_.fracture,
+                      energies_.residual(),
+                      residual(),
+                      broken_bonds_});
     if (residual() < -runaway_share)
-      {
-        std::ostringstream message;
-        message << "The energy runs away: at " << simulation_.time() / us << " us (step " << simulation_.step() << ") the model holds "
-                << 100. * (1. - residual()) << " % of the initial energy. " << simulation_.describe_fastest_point()
-                << " Lower 'Time/Safety factor' or 'Contact/Stiffness factor'.";
-        throw RunError(message.str());
-      }
+    {
+      std::ostringstream message;
+      message << "The energy runs away: at " << simulation_.time() / us << " us (step "
+              << simulation_.step() << ") the model holds " << 100. * (1. - residual())
+              << " % of the initial energy. " << simulation_.describe_fastest_point()
+              << " Lower 'Time/Safety factor' or 'Contact/Stiffness factor'.";
+      throw RunError(message.str());
+    }
   }
 
   void write_frame()
@@ -156,16 +198,26 @@ private:
     frames_->write(simulation_.time(), simulation_.points(), simulation_.surface());
   }
 
-  double residual() const { return energies_.initial > 0. ? energies_.residual() / energies_.initial : 0.; }
+  double residual() const
+  {
+    return energies_.initial > 0. ? energies_.residual() / energies_.initial : 0.;
+  }
 
-  double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double elapsed() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
-  double bond_rate() const { return 2. * n_bonds_ * simulation_.step() / std::max(elapsed(), 1e-9); }
+  double bond_rate() const
+  {
+    return 2. * n_bonds_ * simulation_.step() / std::max(elapsed(), 1e-9);
+  }
 
   void show(Progress &progress) const
   {
-    progress.update({simulation_.time(), simulation_.step(), simulation_.projectile().motion().velocity.norm(),
-                     simulation_.projectile().pitch() / deg, broken_bonds_, residual(), bond_rate()});
+    progress.update(
+        {simulation_.time(), simulation_.step(), simulation_.projectile().motion().velocity.norm(),
+         simulation_.projectile().pitch() / deg, broken_bonds_, residual(), bond_rate()});
   }
 
   void warn_about_penetration()
@@ -175,93 +227,104 @@ private:
       return;
     warned_ = true;
     if (rank_in(communicator_) == 0)
-      std::fprintf(stderr,
-                   "\nwarning: at %.2f us points lie %.2f spacings deep in the projectile, more than half a spacing: contact is too "
-                   "soft for this impact. Raise 'Contact/Stiffness factor' or lower 'Time/Safety factor'.\n",
-                   simulation_.time() / us, deepest_);
+      std::fprintf(
+          stderr,
+          "\nwarning: at %.2f us points lie %.2f spacings deep in the projectile, more than half a "
+          "spacing: contact is too "
+          "soft for this impact. Raise 'Contact/Stiffness factor' or lower 'Time/Safety factor'.\n",
+          simulation_.time() / us, deepest_);
   }
 
   nlohmann::ordered_json finish(const Verdict &verdict, const bool failed)
   {
     history_->close();
-    const auto  &motion       = simulation_.projectile().motion();
-    const auto   momenta      = simulation_.momenta();
+    const auto &motion        = simulation_.projectile().motion();
+    const auto momenta        = simulation_.momenta();
     const double core_seconds = elapsed() * n_ranks_;
-    const auto   drift        = [](const Vector3 &now, const Vector3 &start) { return (now - start).norm() / start.norm(); };
+    const auto drift          = [](const Vector3 &now, const Vector3 &start)
+    { return (now - start).norm() / start.norm(); };
 
     nlohmann::ordered_json s;
-    s["title"]                   = scene_.title;
-    s["directory"]               = directory_.string();
-    s["outcome"]                 = name_of(verdict.outcome);
-    s["reason"]                  = verdict.reason;
-    s["exit_face"]               = verdict.exit_face;
-    s["exit_speed_m_s"]          = motion.velocity.norm();
-    s["exit_angle_deg"]          = std::atan2(motion.velocity.z(), std::hypot(motion.velocity.x(), motion.velocity.y())) / deg;
-    s["pitch_deg"]               = simulation_.projectile().pitch() / deg;
-    s["max_depth_mm"]            = watch_.max_depth() / mm;
-    s["path_mm"]                 = watch_.path() / mm;
-    s["time_us"]                 = simulation_.time() / us;
-    s["energy_residual"]         = residual();
-    s["momentum_drift"]          = drift(momenta.linear, start_momenta_.linear);
-    s["angular_momentum_drift"]  = drift(momenta.angular, start_momenta_.angular);
-    s["deepest_penetration_dx"]  = deepest_;
-    s["broken_bonds"]            = broken_bonds_;
-    s["points"]                  = n_points_;
-    s["bonds"]                   = n_bonds_;
-    s["steps"]                   = simulation_.step();
-    s["time_step_us"]            = simulation_.dt() / us;
-    s["ranks"]                   = n_ranks_;
-    s["instruction_set"]         = simulation_.plates()[0]->kernel().instruction_set;
-    s["core_seconds"]            = core_seconds;
-    s["bond_rate_per_core"]      = bond_rate() / n_ranks_;
-    s["interrupted"]             = interrupted_;
-    s["failed"]                  = failed;
-    s["version"]                 = RICOCHET_VERSION;
+    s["title"]          = scene_.title;
+    s["directory"]      = directory_.string();
+    s["outcome"]        = name_of(verdict.outcome);
+    s["reason"]         = verdict.reason;
+    s["exit_face"]      = verdict.exit_face;
+    s["exit_speed_m_s"] = motion.velocity.norm();
+    s["exit_angle_deg"] =
+        std::atan2(motion.velocity.z(), std::hypot(motion.velocity.x(), motion.velocity.y())) / deg;
+    s["pitch_deg"]              = simulation_.projectile().pitch() / deg;
+    s["max_depth_mm"]           = watch_.max_depth() / mm;
+    s["path_mm"]                = watch_.path() / mm;
+    s["time_us"]                = simulation_.time() / us;
+    s["energy_residual"]        = residual();
+    s["momentum_drift"]         = drift(momenta.linear, start_momenta_.linear);
+    s["angular_momentum_drift"] = drift(momenta.angular, start_momenta_.angular);
+    s["deepest_penetration_dx"] = deepest_;
+    s["broken_bonds"]           = broken_bonds_;
+    s["points"]                 = n_points_;
+    s["bonds"]                  = n_bonds_;
+    s["steps"]                  = simulation_.step();
+    s["time_step_us"]           = simulation_.dt() / us;
+    s["ranks"]                  = n_ranks_;
+    s["instruction_set"]        = simulation_.plates()[0]->kernel().instruction_set;
+    s["core_seconds"]           = core_seconds;
+    s["bond_rate_per_core"]     = bond_rate() / n_ranks_;
+    s["interrupted"]            = interrupted_;
+    s["failed"]                 = failed;
+    s["version"]                = RICOCHET_VERSION;
     write_summary(communicator_, directory_, s);
     return s;
   }
 
-  MPI_Comm                     communicator_;
-  const ParameterFile         &file_;
-  RunOptions                   options_;
-  Scene                        scene_;
-  Simulation                   simulation_;
-  OutcomeWatch                 watch_;
-  std::filesystem::path        directory_;
-  std::unique_ptr<History>     history_;
+  MPI_Comm communicator_;
+  const ParameterFile &file_;
+  RunOptions options_;
+  Scene scene_;
+  Simulation simulation_;
+  OutcomeWatch watch_;
+  std::filesystem::path directory_;
+  std::unique_ptr<History> history_;
   std::unique_ptr<FieldWriter> frames_;
-  MomentumBalance              start_momenta_;
-  EnergyBalance                energies_{};
-  int                          n_ranks_;
-  double                       n_points_, n_bonds_, broken_bonds_ = 0.;
-  double                       next_record_ = 0., next_frame_ = 0.; // [s]
-  double                       deepest_     = 0.;                   // penetration [dx]
-  bool                         warned_ = false, interrupted_ = false;
-  std::string                  stop_reason_;
+  MomentumBalance start_momenta_;
+  EnergyBalance energies_{};
+  int n_ranks_;
+  double n_points_, n_bonds_, broken_bonds_ = 0.;
+  double next_record_ = 0., next_frame_ = 0.; // [s]
+  double deepest_ = 0.;                       // penetration [dx]
+  bool warned_ = false, interrupted_ = false;
+  std::string stop_reason_;
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 } // namespace
 
-nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &file, const RunOptions &options)
+nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &file,
+                           const RunOptions &options)
 {
   return Run(communicator, file, options)();
 }
 
 std::string describe(const nlohmann::ordered_json &s)
 {
-  const auto number = [&](const char *key) { return s[key].is_number() ? s[key].get<double>() : std::nan(""); };
-  char       text[1200];
-  std::snprintf(text, sizeof text,
-                "\noutcome     %s: %s\n"
-                "exit        %.0f m/s at %.1f deg to the plate, pitch %.1f deg, after %.0f us; deepest %.1f mm, path %.0f mm\n"
-                "balance     energy residual %.2f %% of the impact energy, momentum drift %.0e, angular momentum drift %.0e\n"
-                "cost        %.0f points, %.0f steps, %.1f core-seconds, %.0f M directed bonds/s per core\n"
-                "results     %s",
-                s["outcome"].get<std::string>().c_str(), s["reason"].get<std::string>().c_str(), number("exit_speed_m_s"),
-                number("exit_angle_deg"), number("pitch_deg"), number("time_us"), number("max_depth_mm"), number("path_mm"),
-                100. * number("energy_residual"), number("momentum_drift"), number("angular_momentum_drift"), number("points"),
-                number("steps"), number("core_seconds"), 1e-6 * number("bond_rate_per_core"), s["directory"].get<std::string>().c_str());
+  const auto number = [&](const char *key)
+  { return s[key].is_number() ? s[key].get<double>() : std::nan(""); };
+  char text[1200];
+  std::snprintf(
+      text, sizeof text,
+      "\noutcome     %s: %s\n"
+      "exit        %.0f m/s at %.1f deg to the plate, pitch %.1f deg, after %.0f us; deepest %.1f "
+      "mm, path %.0f mm\n"
+      "balance     energy residual %.2f %% of the impact energy, momentum drift %.0e, angular "
+      "momentum drift %.0e\n"
+      "cost        %.0f points, %.0f steps, %.1f core-seconds, %.0f M directed bonds/s per core\n"
+      "results     %s",
+      s["outcome"].get<std::string>().c_str(), s["reason"].get<std::string>().c_str(),
+      number("exit_speed_m_s"), number("exit_angle_deg"), number("pitch_deg"), number("time_us"),
+      number("max_depth_mm"), number("path_mm"), 100. * number("energy_residual"),
+      number("momentum_drift"), number("angular_momentum_drift"), number("points"), number("steps"),
+      number("core_seconds"), 1e-6 * number("bond_rate_per_core"),
+      s["directory"].get<std::string>().c_str());
   return text;
 }
 } // namespace ricochet

@@ -49,7 +49,8 @@ double critical_stretch(const MaterialParameters &material, const Stencil &stenc
 {
   if (material.critical_stretch > 0.)
     return material.critical_stretch;
-  return std::sqrt(material.energy_release / fracture_energy_per_squared_stretch(stencil, material.bulk_modulus));
+  return std::sqrt(material.energy_release /
+                   fracture_energy_per_squared_stretch(stencil, material.bulk_modulus));
 }
 
 Simulation::Simulation(const MPI_Comm communicator, const Scene &scene) :
@@ -77,41 +78,46 @@ void Simulation::build_plates()
 {
   double top = 0.;
   for (std::size_t i = 0; i < scene_.plates.size(); ++i)
-    {
-      const auto   &plate    = scene_.plates[i];
-      const auto   &material = this->material(i);
-      const Stencil stencil  = make_stencil(plate.spacing, plate.horizon_ratio, plate.influence_function);
+  {
+    const auto &plate    = scene_.plates[i];
+    const auto &material = this->material(i);
+    const Stencil stencil =
+        make_stencil(plate.spacing, plate.horizon_ratio, plate.influence_function);
 
-      Lattice::Box box;
-      box.spacing  = plate.spacing;
-      box.mirror_y = scene_.symmetric;
-      box.n        = {points_along(plate.length, plate.spacing), points_along(plate.width / multiplicity_, plate.spacing),
-                      points_along(plate.thickness, plate.spacing)};
-      top -= i == 0 ? 0. : plate.gap;
-      const double thickness = box.n[2] * plate.spacing;
-      box.corner             = {0., scene_.symmetric ? 0. : -0.5 * box.n[1] * plate.spacing, top - thickness};
-      top -= thickness;
+    Lattice::Box box;
+    box.spacing  = plate.spacing;
+    box.mirror_y = scene_.symmetric;
+    box.n        = {points_along(plate.length, plate.spacing),
+                    points_along(plate.width / multiplicity_, plate.spacing),
+                    points_along(plate.thickness, plate.spacing)};
+    top -= i == 0 ? 0. : plate.gap;
+    const double thickness = box.n[2] * plate.spacing;
+    box.corner = {0., scene_.symmetric ? 0. : -0.5 * box.n[1] * plate.spacing, top - thickness};
+    top -= thickness;
 
-      const auto                &law = bond_law(material.bond_model);
-      const PeridynamicMaterial  bonds{&law, material.density, material.bulk_modulus, material.shear_modulus,
-                                       ricochet::critical_stretch(material, stencil)};
-      plates_.push_back(std::make_unique<PeridynamicForce>(communicator_, static_cast<int>(i), box, stencil, bonds));
-    }
+    const auto &law = bond_law(material.bond_model);
+    const PeridynamicMaterial bonds{&law, material.density, material.bulk_modulus,
+                                    material.shear_modulus,
+                                    ricochet::critical_stretch(material, stencil)};
+    plates_.push_back(std::make_unique<PeridynamicForce>(communicator_, static_cast<int>(i), box,
+                                                         stencil, bonds));
+  }
 }
 
 void Simulation::build_projectile()
 {
-  const auto            &impact = scene_.impact;
+  const auto &impact = scene_.impact;
   const BodyOfRevolution body(scene_.projectile.shape);
-  const double           inclination = impact.incidence_angle - impact.attack_angle; // of the axis, nose down
-  RigidBody::Motion      start;
+  const double inclination = impact.incidence_angle - impact.attack_angle; // of the axis, nose down
+  RigidBody::Motion start;
   start.orientation = Eigen::AngleAxisd(inclination, Vector3::UnitY());
-  start.velocity    = impact.speed * Vector3(std::cos(impact.incidence_angle), 0., -std::sin(impact.incidence_angle));
-  start.spin        = Vector3::Zero();
+  start.velocity    = impact.speed *
+                   Vector3(std::cos(impact.incidence_angle), 0., -std::sin(impact.incidence_angle));
+  start.spin = Vector3::Zero();
 
   // The lowest point of the body goes above the entry point, at the clearance.
   const Vector3 axis = start.orientation * Vector3::UnitX();
-  Vector3       down = -(Vector3::UnitZ() - axis.z() * axis);
+  Vector3 down       = -(Vector3::UnitZ() - axis.z() * axis);
   down               = down.norm() > 1e-9 ? Vector3(down.normalized()) : Vector3(Vector3::Zero());
   Vector3 lowest     = Vector3::Constant(std::numeric_limits<double>::max());
   for (const auto &[x, r] : body.profile(200))
@@ -119,81 +125,94 @@ void Simulation::build_projectile()
       lowest = point;
   start.position = Vector3(impact.entry_x, impact.entry_y, impact.clearance) - lowest;
 
-  projectile_     = std::make_unique<RigidBody>(body, scene_.projectile.mass, start, scene_.symmetric);
+  projectile_ = std::make_unique<RigidBody>(body, scene_.projectile.mass, start, scene_.symmetric);
   initial_energy_ = 0.5 * scene_.projectile.mass * impact.speed * impact.speed;
 
   const auto &contact = scene_.contact;
   friction_law_       = make_friction_law(contact.friction);
   for (const auto &plate : plates_)
+  {
+    const double spacing = plate->lattice().box().spacing;
+    ProjectileContact::Parameters parameters;
+    parameters.stiffness = contact.stiffness_factor * youngs_modulus(plate->material()) * spacing;
+    parameters.shank_force =
+        contact.shank_contact_fraction * contact.shank_resistance * spacing * spacing;
+    parameters.regularisation_speed = contact.friction.regularisation_speed;
+    contacts_.emplace_back(communicator_, *friction_law_, parameters, scene_.symmetric,
+                           plate->lattice().box().n[0]);
+    fractures_.emplace_back(*plate, scene_.symmetric);
+    if (const auto reaction = contacts_.back().evaluate(*projectile_, *plate);
+        reaction.n_touching > 0.)
     {
-      const double                  spacing = plate->lattice().box().spacing;
-      ProjectileContact::Parameters parameters;
-      parameters.stiffness            = contact.stiffness_factor * youngs_modulus(plate->material()) * spacing;
-      parameters.shank_force          = contact.shank_contact_fraction * contact.shank_resistance * spacing * spacing;
-      parameters.regularisation_speed = contact.friction.regularisation_speed;
-      contacts_.emplace_back(communicator_, *friction_law_, parameters, scene_.symmetric, plate->lattice().box().n[0]);
-      fractures_.emplace_back(*plate, scene_.symmetric);
-      if (const auto reaction = contacts_.back().evaluate(*projectile_, *plate); reaction.n_touching > 0.)
-        {
-          std::ostringstream message;
-          message << "The projectile starts inside plate " << contacts_.size() << ": it touches " << reaction.n_touching
-                  << " points, the deepest by " << 1e3 * reaction.deepest
-                  << " mm. Raise 'Impact/Clearance' or move 'Impact/Entry point'.";
-          throw InputError(message.str());
-        }
+      std::ostringstream message;
+      message << "The projectile starts inside plate " << contacts_.size() << ": it touches "
+              << reaction.n_touching << " points, the deepest by " << 1e3 * reaction.deepest
+              << " mm. Raise 'Impact/Clearance' or move 'Impact/Entry point'.";
+      throw InputError(message.str());
     }
-  debris_ = std::make_unique<DebrisContact>(communicator_, plates_, contact.debris_factor, scene_.symmetric);
+  }
+  debris_ = std::make_unique<DebrisContact>(communicator_, plates_, contact.debris_factor,
+                                            scene_.symmetric);
 }
 
 void Simulation::choose_time_step()
 {
-  double largest    = 0.;
-  time_step_info_   = {0., 0., 0.};
+  double largest  = 0.;
+  time_step_info_ = {0., 0., 0.};
   for (const auto &plate : plates_)
+  {
+    const auto estimate  = estimate_largest_frequency(communicator_, *plate);
+    const double spacing = plate->lattice().box().spacing;
+    const double stiffness =
+        scene_.contact.stiffness_factor * youngs_modulus(plate->material()) * spacing;
+    const double contact = stiffness / plate->point_mass() + debris_->squared_frequency(*plate);
+    if (estimate.squared_frequency + contact > largest)
     {
-      const auto   estimate = estimate_largest_frequency(communicator_, *plate);
-      const double spacing  = plate->lattice().box().spacing;
-      const double stiffness = scene_.contact.stiffness_factor * youngs_modulus(plate->material()) * spacing;
-      const double contact   = stiffness / plate->point_mass() + debris_->squared_frequency(*plate);
-      if (estimate.squared_frequency + contact > largest)
-        {
-          largest                       = estimate.squared_frequency + contact;
-          time_step_info_.frequency     = std::sqrt(estimate.squared_frequency);
-          time_step_info_.contact_share = contact / largest;
-        }
-      time_step_info_.seconds_per_step += estimate.seconds_per_force;
+      largest                       = estimate.squared_frequency + contact;
+      time_step_info_.frequency     = std::sqrt(estimate.squared_frequency);
+      time_step_info_.contact_share = contact / largest;
     }
+    time_step_info_.seconds_per_step += estimate.seconds_per_force;
+  }
   dt_ = scene_.time.safety_factor * 2. / std::sqrt(largest);
 }
 
 void Simulation::evaluate(const bool energy)
 {
-  reaction_ = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), 0., 0., 0.};
+  reaction_ = {Vector3::Zero(),
+               Vector3::Zero(),
+               Vector3::Zero(),
+               Vector3::Zero(),
+               Vector3::Zero(),
+               0.,
+               0.,
+               0.};
   for (std::size_t i = 0; i < plates_.size(); ++i)
-    {
-      plates_[i]->update_ghosts();
-      plates_[i]->evaluate(/*breaking=*/true, energy);
-      fractures_[i].record(dt_);
-      const auto part = contacts_[i].evaluate(*projectile_, *plates_[i]);
-      reaction_.normal += part.normal;
-      reaction_.friction += part.friction;
-      reaction_.shank += part.shank;
-      reaction_.moment += part.moment;
-      reaction_.friction_moment += part.friction_moment;
-      reaction_.energy += part.energy;
-      reaction_.n_touching += part.n_touching;
-      reaction_.deepest = std::max(reaction_.deepest, part.deepest / plates_[i]->lattice().box().spacing);
-    }
+  {
+    plates_[i]->update_ghosts();
+    plates_[i]->evaluate(/*breaking=*/true, energy);
+    fractures_[i].record(dt_);
+    const auto part = contacts_[i].evaluate(*projectile_, *plates_[i]);
+    reaction_.normal += part.normal;
+    reaction_.friction += part.friction;
+    reaction_.shank += part.shank;
+    reaction_.moment += part.moment;
+    reaction_.friction_moment += part.friction_moment;
+    reaction_.energy += part.energy;
+    reaction_.n_touching += part.n_touching;
+    reaction_.deepest =
+        std::max(reaction_.deepest, part.deepest / plates_[i]->lattice().box().spacing);
+  }
   debris_->evaluate(dt_);
 }
 
 void Simulation::advance()
 {
   for (std::size_t i = 0; i < plates_.size(); ++i)
-    {
-      plates_[i]->advance(dt_, dt_);
-      contacts_[i].record_work(*plates_[i], dt_);
-    }
+  {
+    plates_[i]->advance(dt_, dt_);
+    contacts_[i].record_work(*plates_[i], dt_);
+  }
   const Vector3 velocity = projectile_->motion().velocity, spin = projectile_->motion().spin;
   projectile_->advance(reaction_.force(), reaction_.moment, dt_, dt_);
   const auto &after = projectile_->motion();
@@ -208,73 +227,78 @@ std::pair<Vector3, Vector3> Simulation::target_box() const
 {
   Vector3 low = Vector3::Constant(std::numeric_limits<double>::max()), high = -low;
   for (const auto &plate : plates_)
-    {
-      const auto   &box = plate->lattice().box();
-      const Vector3 far = box.corner + box.spacing * Vector3(box.n[0], box.n[1], box.n[2]);
-      low               = low.cwiseMin(box.corner);
-      high              = high.cwiseMax(far);
-      if (box.mirror_y)
-        low.y() = std::min(low.y(), -far.y());
-    }
+  {
+    const auto &box   = plate->lattice().box();
+    const Vector3 far = box.corner + box.spacing * Vector3(box.n[0], box.n[1], box.n[2]);
+    low               = low.cwiseMin(box.corner);
+    high              = high.cwiseMax(far);
+    if (box.mirror_y)
+      low.y() = std::min(low.y(), -far.y());
+  }
   return {low, high};
 }
 
 EnergyBalance Simulation::energies() const
 {
   EnergyBalance e{};
-  e.initial = initial_energy_;
+  e.initial           = initial_energy_;
   // v- . v+ instead of v . v: for a linear system the leapfrog scheme conserves this sum exactly.
-  const auto   &motion = projectile_->motion();
-  const Vector3 after  = motion.velocity + dt_ / projectile_->mass() * reaction_.force();
-  e.projectile         = 0.5 * projectile_->mass() * motion.velocity.dot(after) +
+  const auto &motion  = projectile_->motion();
+  const Vector3 after = motion.velocity + dt_ / projectile_->mass() * reaction_.force();
+  e.projectile        = 0.5 * projectile_->mass() * motion.velocity.dot(after) +
                  0.5 * motion.spin.dot(projectile_->angular_momentum() + dt_ * reaction_.moment);
-  e.contact = reaction_.energy;
-  e.debris  = debris_->energy();
+  e.contact  = reaction_.energy;
+  e.debris   = debris_->energy();
   e.friction = -work_on_projectile_;
   for (std::size_t i = 0; i < plates_.size(); ++i)
-    {
-      const auto    &plate   = *plates_[i];
-      const Lattice &lattice = plate.lattice();
-      const auto    &a       = plate.state().arrays;
-      PlaneSums<2>   sums(lattice.box().n[0]);
-      for_each_owned(lattice, [&](const std::ptrdiff_t p) {
-        const Vector3 v   = at(a.velocity, p);
-        auto         &sum = sums[lattice.plane_of(p)];
-        sum[0] += 0.5 * plate.point_mass() * v.dot(v + dt_ / plate.point_mass() * at(a.force, p));
-        sum[1] += a.energy[p];
-      });
-      const auto sum = sums.total(communicator_);
-      e.kinetic += multiplicity_ * sum[0];
-      e.strain += multiplicity_ * sum[1];
-      e.friction -= contacts_[i].work_on_points();
-      e.fracture += fractures_[i].total(communicator_).energy;
-    }
+  {
+    const auto &plate      = *plates_[i];
+    const Lattice &lattice = plate.lattice();
+    const auto &a          = plate.state().arrays;
+    PlaneSums<2> sums(lattice.box().n[0]);
+    for_each_owned(lattice,
+                   [&](const std::ptrdiff_t p)
+                   {
+                     const Vector3 v = at(a.velocity, p);
+                     auto &sum       = sums[lattice.plane_of(p)];
+                     sum[0] += 0.5 * plate.point_mass() *
+                               v.dot(v + dt_ / plate.point_mass() * at(a.force, p));
+                     sum[1] += a.energy[p];
+                   });
+    const auto sum = sums.total(communicator_);
+    e.kinetic += multiplicity_ * sum[0];
+    e.strain += multiplicity_ * sum[1];
+    e.friction -= contacts_[i].work_on_points();
+    e.fracture += fractures_[i].total(communicator_).energy;
+  }
   return e;
 }
 
 MomentumBalance Simulation::momenta() const
 {
-  const auto     &motion = projectile_->motion();
-  const Vector3   p      = projectile_->mass() * motion.velocity;
+  const auto &motion = projectile_->motion();
+  const Vector3 p    = projectile_->mass() * motion.velocity;
   MomentumBalance m{p, motion.position.cross(p) + projectile_->angular_momentum()};
   for (const auto &plate : plates_)
-    {
-      const Lattice &lattice = plate->lattice();
-      const auto    &a       = plate->state().arrays;
-      PlaneSums<6>   sums(lattice.box().n[0]);
-      for_each_owned(lattice, [&](const std::ptrdiff_t i) {
-        const Vector3 linear  = plate->point_mass() * at(a.velocity, i);
-        const Vector3 angular = at(a.position, i).cross(linear);
-        for (int d = 0; d < 3; ++d)
-          {
-            sums[lattice.plane_of(i)][d] += linear[d];
-            sums[lattice.plane_of(i)][3 + d] += angular[d];
-          }
-      });
-      const auto sum = sums.total(communicator_);
-      m.linear += multiplicity_ * Vector3(sum[0], sum[1], sum[2]);
-      m.angular += multiplicity_ * Vector3(sum[3], sum[4], sum[5]);
-    }
+  {
+    const Lattice &lattice = plate->lattice();
+    const auto &a          = plate->state().arrays;
+    PlaneSums<6> sums(lattice.box().n[0]);
+    for_each_owned(lattice,
+                   [&](const std::ptrdiff_t i)
+                   {
+                     const Vector3 linear  = plate->point_mass() * at(a.velocity, i);
+                     const Vector3 angular = at(a.position, i).cross(linear);
+                     for (int d = 0; d < 3; ++d)
+                     {
+                       sums[lattice.plane_of(i)][d] += linear[d];
+                       sums[lattice.plane_of(i)][3 + d] += angular[d];
+                     }
+                   });
+    const auto sum = sums.total(communicator_);
+    m.linear += multiplicity_ * Vector3(sum[0], sum[1], sum[2]);
+    m.angular += multiplicity_ * Vector3(sum[3], sum[4], sum[5]);
+  }
   if (scene_.symmetric)
     m.linear.y() = m.angular.x() = m.angular.z() = 0.;
   return m;
@@ -307,24 +331,29 @@ double Simulation::n_bonds() const
 
 void Simulation::check_finite() const
 {
-  // The first bad point in the order plate, lattice index is reported, by the lowest rank that has one.
+  // The first bad point in the order plate, lattice index is reported, by the lowest rank that has
+  // one.
   std::string complaint;
   for (std::size_t i = 0; i < plates_.size() && complaint.empty(); ++i)
-    {
-      const Lattice &lattice = plates_[i]->lattice();
-      const auto    &a       = plates_[i]->state().arrays;
-      for (std::ptrdiff_t p = lattice.owned_begin(); p < lattice.owned_end() && complaint.empty(); ++p)
-        for (const auto &[name, field] : {std::pair<const char *, double *const *>{"position", a.position}, {"velocity", a.velocity}, {"force", a.force}})
-          if (complaint.empty() && lattice.owned(p) && !at(field, p).allFinite())
-            {
-              const auto         c = lattice.coordinates(p);
-              std::ostringstream message;
-              message << "The " << name << " of point (" << c[0] << ", " << c[1] << ", " << c[2] << ") of plate " << i + 1
-                      << " is not a number at " << 1e6 * time_ << " us (step " << step_
-                      << "). Lower 'Time/Safety factor' or 'Contact/Stiffness factor'.";
-              complaint = message.str();
-            }
-    }
+  {
+    const Lattice &lattice = plates_[i]->lattice();
+    const auto &a          = plates_[i]->state().arrays;
+    for (std::ptrdiff_t p = lattice.owned_begin(); p < lattice.owned_end() && complaint.empty();
+         ++p)
+      for (const auto &[name, field] :
+           {std::pair<const char *, double *const *>{"position", a.position},
+            {"velocity", a.velocity},
+            {"force", a.force}})
+        if (complaint.empty() && lattice.owned(p) && !at(field, p).allFinite())
+        {
+          const auto c = lattice.coordinates(p);
+          std::ostringstream message;
+          message << "The " << name << " of point (" << c[0] << ", " << c[1] << ", " << c[2]
+                  << ") of plate " << i + 1 << " is not a number at " << 1e6 * time_ << " us (step "
+                  << step_ << "). Lower 'Time/Safety factor' or 'Contact/Stiffness factor'.";
+          complaint = message.str();
+        }
+  }
   int rank, bad;
   MPI_Comm_rank(communicator_, &rank);
   const int mine = complaint.empty() ? std::numeric_limits<int>::max() : rank;
@@ -339,19 +368,23 @@ std::string Simulation::describe_fastest_point() const
   struct
   {
     double speed;
-    int    rank;
+    int rank;
   } fastest{-1., 0};
   std::ostringstream text;
   for (std::size_t i = 0; i < plates_.size(); ++i)
-    for_each_owned(plates_[i]->lattice(), [&](const std::ptrdiff_t p) {
-      if (const double speed = at(plates_[i]->state().arrays.velocity, p).norm(); speed > fastest.speed)
-        {
-          const auto c  = plates_[i]->lattice().coordinates(p);
-          fastest.speed = speed;
-          text.str("");
-          text << "Point (" << c[0] << ", " << c[1] << ", " << c[2] << ") of plate " << i + 1 << " is the fastest, at " << speed << " m/s.";
-        }
-    });
+    for_each_owned(plates_[i]->lattice(),
+                   [&](const std::ptrdiff_t p)
+                   {
+                     if (const double speed = at(plates_[i]->state().arrays.velocity, p).norm();
+                         speed > fastest.speed)
+                     {
+                       const auto c  = plates_[i]->lattice().coordinates(p);
+                       fastest.speed = speed;
+                       text.str("");
+                       text << "Point (" << c[0] << ", " << c[1] << ", " << c[2] << ") of plate "
+                            << i + 1 << " is the fastest, at " << speed << " m/s.";
+                     }
+                   });
   MPI_Comm_rank(communicator_, &fastest.rank);
   MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator_);
   return broadcast(communicator_, text.str(), fastest.rank);
@@ -361,42 +394,47 @@ PointFrame Simulation::points() const
 {
   PointFrame frame;
   for (std::size_t i = 0; i < plates_.size(); ++i)
-    {
-      const auto    &plate   = *plates_[i];
-      const Lattice &lattice = plate.lattice();
-      const auto    &a       = plate.state().arrays;
-      for_each_owned(lattice, [&](const std::ptrdiff_t p) {
-        const auto    c = lattice.coordinates(p);
-        const Vector3 x = at(a.position, p), X = lattice.reference_position(c);
-        frame.position.push_back(x);
-        frame.displacement.push_back(x - X);
-        frame.velocity.push_back(at(a.velocity, p));
-        frame.damage.push_back(plate.damage(p));
-        frame.dilatation.push_back(a.theta[p]);
-        frame.body.push_back(static_cast<int>(i) + 1);
-        frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
-      });
-    }
+  {
+    const auto &plate      = *plates_[i];
+    const Lattice &lattice = plate.lattice();
+    const auto &a          = plate.state().arrays;
+    for_each_owned(lattice,
+                   [&](const std::ptrdiff_t p)
+                   {
+                     const auto c    = lattice.coordinates(p);
+                     const Vector3 x = at(a.position, p), X = lattice.reference_position(c);
+                     frame.position.push_back(x);
+                     frame.displacement.push_back(x - X);
+                     frame.velocity.push_back(at(a.velocity, p));
+                     frame.damage.push_back(plate.damage(p));
+                     frame.dilatation.push_back(a.theta[p]);
+                     frame.body.push_back(static_cast<int>(i) + 1);
+                     frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
+                   });
+  }
   return frame;
 }
 
 SurfaceFrame Simulation::surface() const
 {
   constexpr int n_around = 32;
-  SurfaceFrame  frame;
-  const auto    profile = projectile_->body().profile();
-  const auto    place   = [&](const double x, const double r, const double angle) -> Vector3 {
-    return projectile_->motion().position + projectile_->motion().orientation * Vector3(x, r * std::sin(angle), r * std::cos(angle));
+  SurfaceFrame frame;
+  const auto profile = projectile_->body().profile();
+  const auto place   = [&](const double x, const double r, const double angle) -> Vector3
+  {
+    return projectile_->motion().position +
+           projectile_->motion().orientation * Vector3(x, r * std::sin(angle), r * std::cos(angle));
   };
   for (const auto &[x, r] : profile)
     for (int i = 0; i < n_around; ++i)
       frame.vertices.push_back(place(x, r, 2. * M_PI * i / n_around));
   for (int ring = 0; ring + 1 < static_cast<int>(profile.size()); ++ring)
     for (int i = 0; i < n_around; ++i)
-      {
-        const int next = (i + 1) % n_around;
-        frame.quads.push_back({ring * n_around + i, ring * n_around + next, (ring + 1) * n_around + next, (ring + 1) * n_around + i});
-      }
+    {
+      const int next = (i + 1) % n_around;
+      frame.quads.push_back({ring * n_around + i, ring * n_around + next,
+                             (ring + 1) * n_around + next, (ring + 1) * n_around + i});
+    }
   for (const auto &[x, r] : profile)
     frame.outline.push_back(place(x, r, 0.));
   for (auto point = profile.rbegin(); point != profile.rend(); ++point)

@@ -8,63 +8,70 @@ namespace ricochet
 {
 FractureEnergy::FractureEnergy(const PeridynamicForce &body, const bool mirrored) :
   body_(body), multiplicity_(mirrored ? 2. : 1.), sums_(body.lattice().box().n[0])
-{}
+{
+}
 
 void FractureEnergy::record(const double dt)
 {
   const Lattice &lattice = body_.lattice();
-  const auto    &a       = body_.state().arrays;
-  const auto    &law     = *body_.material().law;
+  const auto &a          = body_.state().arrays;
+  const auto &law        = *body_.material().law;
   lost_theta_.clear();
   for (std::size_t n = 0; n < body_.n_broken_entries(); ++n)
+  {
+    const auto &entry = body_.broken()[n];
+    const auto &c     = body_.bond_constants()[entry.offset];
+    const auto shift  = lattice.shift(lattice.stencil().offsets[entry.offset]);
+    for (int lane = 0; lane < Lattice::block_size; ++lane)
     {
-      const auto &entry = body_.broken()[n];
-      const auto &c     = body_.bond_constants()[entry.offset];
-      const auto  shift = lattice.shift(lattice.stencil().offsets[entry.offset]);
-      for (int lane = 0; lane < Lattice::block_size; ++lane)
+      if (!((entry.points >> lane) & 1))
+        continue;
+      const std::ptrdiff_t p = static_cast<std::ptrdiff_t>(entry.block) * Lattice::block_size +
+                               lane,
+                           q = p + shift;
+      double squared = 0., squared_before = 0.;
+      for (int d = 0; d < 3; ++d)
+      {
+        const double now    = a.position[d][q] - a.position[d][p];
+        const double before = now - dt * (a.velocity[d][q] - a.velocity[d][p]);
+        squared += now * now;
+        squared_before += before * before;
+      }
+      const double extension        = std::sqrt(squared) - c.length,
+                   extension_before = std::sqrt(squared_before) - c.length;
+      // The bilinear form of a quadratic energy by polarisation.
+      const double energy =
+          0.5 * (law.bond_energy(c, extension) + law.bond_energy(c, extension_before) -
+                 law.bond_energy(c, extension - extension_before));
+      for (const std::ptrdiff_t end : {p, q})
+        if (lattice.owned(end))
         {
-          if (!((entry.points >> lane) & 1))
-            continue;
-          const std::ptrdiff_t p = static_cast<std::ptrdiff_t>(entry.block) * Lattice::block_size + lane, q = p + shift;
-          double               squared = 0., squared_before = 0.;
-          for (int d = 0; d < 3; ++d)
-            {
-              const double now    = a.position[d][q] - a.position[d][p];
-              const double before = now - dt * (a.velocity[d][q] - a.velocity[d][p]);
-              squared += now * now;
-              squared_before += before * before;
-            }
-          const double extension = std::sqrt(squared) - c.length, extension_before = std::sqrt(squared_before) - c.length;
-          // The bilinear form of a quadratic energy by polarisation.
-          const double energy = 0.5 * (law.bond_energy(c, extension) + law.bond_energy(c, extension_before) -
-                                       law.bond_energy(c, extension - extension_before));
-          for (const std::ptrdiff_t end : {p, q})
-            if (lattice.owned(end))
-              {
-                auto &sum = sums_[lattice.plane_of(end)];
-                sum[0] += 0.5 * energy;
-                sum[1] += 1.;
-                lost_theta_.push_back({end, c.dilatation * extension, c.dilatation * extension_before});
-              }
+          auto &sum = sums_[lattice.plane_of(end)];
+          sum[0] += 0.5 * energy;
+          sum[1] += 1.;
+          lost_theta_.push_back({end, c.dilatation * extension, c.dilatation * extension_before});
         }
     }
+  }
   if (!law.has_dilatation)
     return;
 
-  std::stable_sort(lost_theta_.begin(), lost_theta_.end(), [](const auto &x, const auto &y) { return x.point < y.point; });
+  std::stable_sort(lost_theta_.begin(), lost_theta_.end(),
+                   [](const auto &x, const auto &y) { return x.point < y.point; });
   for (std::size_t i = 0; i < lost_theta_.size();)
+  {
+    const std::ptrdiff_t p = lost_theta_[i].point;
+    double now = 0., before = 0.;
+    for (; i < lost_theta_.size() && lost_theta_[i].point == p; ++i)
     {
-      const std::ptrdiff_t p   = lost_theta_[i].point;
-      double               now = 0., before = 0.;
-      for (; i < lost_theta_.size() && lost_theta_[i].point == p; ++i)
-        {
-          now += lost_theta_[i].now;
-          before += lost_theta_[i].before;
-        }
-      // theta without the broken bonds at this step, with them one step ago.
-      const double without = a.theta[p], with = a.theta_before[p];
-      sums_[lattice.plane_of(p)][0] += body_.point_stiffness() * ((without + now) * with - without * (with - before));
+      now += lost_theta_[i].now;
+      before += lost_theta_[i].before;
     }
+    // theta without the broken bonds at this step, with them one step ago.
+    const double without = a.theta[p], with = a.theta_before[p];
+    sums_[lattice.plane_of(p)][0] +=
+        body_.point_stiffness() * ((without + now) * with - without * (with - before));
+  }
 }
 
 FractureEnergy::Total FractureEnergy::total(const MPI_Comm communicator) const

@@ -27,40 +27,49 @@ int size_of(const MPI_Comm communicator)
 }
 } // namespace
 
-PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number, const Lattice::Box &box, const Stencil &stencil,
-                                   const PeridynamicMaterial &material, const Lattice::Mask &mask, const char *instruction_set) :
-  communicator_(communicator), lattice_(box, stencil, rank_of(communicator), size_of(communicator), mask), state_(lattice_),
-  material_(material), halo_(communicator, lattice_, number), kernel_(lattice_kernel(material.law->index, instruction_set))
+PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number,
+                                   const Lattice::Box &box, const Stencil &stencil,
+                                   const PeridynamicMaterial &material, const Lattice::Mask &mask,
+                                   const char *instruction_set) :
+  communicator_(communicator),
+  lattice_(box, stencil, rank_of(communicator), size_of(communicator), mask), state_(lattice_),
+  material_(material), halo_(communicator, lattice_, number),
+  kernel_(lattice_kernel(material.law->index, instruction_set))
 {
   if (kernel_ == nullptr)
-    throw InputError(std::string("This processor does not have the instruction set '") + instruction_set + "'.");
+    throw InputError(std::string("This processor does not have the instruction set '") +
+                     instruction_set + "'.");
   if (material.law->fixes_poisson_ratio &&
-      std::abs(material.shear_modulus - 0.6 * material.bulk_modulus) > 0.01 * material.shear_modulus)
-    {
-      std::ostringstream message;
-      message << "The bond model '" << material.law->name << "' has Poisson's ratio 1/4, that is mu = 3K/5 = "
-              << 0.6e-9 * material.bulk_modulus << " GPa; the material asks for mu = " << 1e-9 * material.shear_modulus
-              << " GPa. Use 'linear peridynamic solid' or change the shear modulus.";
-      throw InputError(message.str());
-    }
+      std::abs(material.shear_modulus - 0.6 * material.bulk_modulus) >
+          0.01 * material.shear_modulus)
+  {
+    std::ostringstream message;
+    message << "The bond model '" << material.law->name
+            << "' has Poisson's ratio 1/4, that is mu = 3K/5 = " << 0.6e-9 * material.bulk_modulus
+            << " GPa; the material asks for mu = " << 1e-9 * material.shear_modulus
+            << " GPa. Use 'linear peridynamic solid' or change the shear modulus.";
+    throw InputError(message.str());
+  }
 
-  const FamilyConstants family = family_constants(stencil, material.bulk_modulus, material.shear_modulus);
-  mass_                        = material.density * family.volume;
+  const FamilyConstants family =
+      family_constants(stencil, material.bulk_modulus, material.shear_modulus);
+  mass_ = material.density * family.volume;
   for (const auto &offset : stencil.offsets)
-    {
-      BondConstants c = material.law->bond(family, offset.length, offset.omega);
-      c.critical      = std::numeric_limits<double>::infinity();
-      unbreakable_constants_.push_back(c);
-      c.critical = material.critical_stretch * offset.length;
-      constants_.push_back(c);
-      shifts_.push_back(lattice_.shift(offset));
-    }
+  {
+    BondConstants c = material.law->bond(family, offset.length, offset.omega);
+    c.critical      = std::numeric_limits<double>::infinity();
+    unbreakable_constants_.push_back(c);
+    c.critical = material.critical_stretch * offset.length;
+    constants_.push_back(c);
+    shifts_.push_back(lattice_.shift(offset));
+  }
   const double point_stiffness = material.law->point_stiffness(family);
-  const int    n               = static_cast<int>(constants_.size());
+  const int n                  = static_cast<int>(constants_.size());
   table_                       = {n, shifts_.data(), constants_.data(), point_stiffness};
-  unbreakable_table_           = {n, shifts_.data(), unbreakable_constants_.data(), point_stiffness};
+  unbreakable_table_ = {n, shifts_.data(), unbreakable_constants_.data(), point_stiffness};
 
-  initial_bonds_.assign(state_.arrays.bonds, state_.arrays.bonds + lattice_.size() / Lattice::block_size * n);
+  initial_bonds_.assign(state_.arrays.bonds,
+                        state_.arrays.bonds + lattice_.size() / Lattice::block_size * n);
   damaged_.assign(lattice_.size(), 0);
   initial_family_.assign(lattice_.size(), 0);
   for (std::ptrdiff_t p = lattice_.owned_begin(); p < lattice_.owned_end(); ++p)
@@ -72,53 +81,57 @@ PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number
 void PeridynamicForce::update_ghosts()
 {
   auto &a = state_.arrays;
-  halo_.exchange({a.position[0], a.position[1], a.position[2], a.velocity[0], a.velocity[1], a.velocity[2]});
+  halo_.exchange(
+      {a.position[0], a.position[1], a.position[2], a.velocity[0], a.velocity[1], a.velocity[2]});
   state_.mirror_motion(lattice_);
 }
 
 void PeridynamicForce::evaluate(const bool breaking, const bool energy)
 {
-  // Bonds between a ghost and an owned point are visited on both ranks: the sums of owned points are then complete,
-  // and made in the same order as on one rank, without sending anything home.
-  auto         &a     = state_.arrays;
-  const int64_t last  = lattice_.owned_end() / Lattice::block_size;
-  const auto   &table = breaking ? table_ : unbreakable_table_;
+  // Bonds between a ghost and an owned point are visited on both ranks: the sums of owned points
+  // are then complete, and made in the same order as on one rank, without sending anything home.
+  auto &a            = state_.arrays;
+  const int64_t last = lattice_.owned_end() / Lattice::block_size;
+  const auto &table  = breaking ? table_ : unbreakable_table_;
 
   std::swap(a.theta, a.theta_before);
   state_.zero(a.theta);
   n_broken_ = static_cast<std::size_t>(kernel_->stretch(a, table, 0, last, broken_.data()));
   if (material_.law->has_dilatation)
-    {
-      halo_.exchange({a.theta});
-      state_.mirror_theta(lattice_);
-    }
+  {
+    halo_.exchange({a.theta});
+    state_.mirror_theta(lattice_);
+  }
   for (std::size_t i = 0; i < n_broken_; ++i)
     for (int lane = 0; lane < Lattice::block_size; ++lane)
       if ((broken_[i].points >> lane) & 1)
-        {
-          const std::ptrdiff_t p = static_cast<std::ptrdiff_t>(broken_[i].block) * Lattice::block_size + lane;
-          damaged_[p] = damaged_[p + shifts_[broken_[i].offset]] = 1;
-        }
+      {
+        const std::ptrdiff_t p =
+            static_cast<std::ptrdiff_t>(broken_[i].block) * Lattice::block_size + lane;
+        damaged_[p] = damaged_[p + shifts_[broken_[i].offset]] = 1;
+      }
 
   for (double *f : a.force)
     state_.zero(f);
   if (energy)
-    {
-      state_.zero(a.energy);
-      kernel_->force_and_energy(a, table, 0, last);
-    }
+  {
+    state_.zero(a.energy);
+    kernel_->force_and_energy(a, table, 0, last);
+  }
   else
     kernel_->force(a, table, 0, last);
 }
 
 void PeridynamicForce::advance(const double kick, const double drift)
 {
-  kernel_->advance(state_.arrays, lattice_.owned_begin() / Lattice::block_size, lattice_.owned_end() / Lattice::block_size, kick / mass_, drift);
+  kernel_->advance(state_.arrays, lattice_.owned_begin() / Lattice::block_size,
+                   lattice_.owned_end() / Lattice::block_size, kick / mass_, drift);
 }
 
 int PeridynamicForce::family_size(const std::ptrdiff_t index, const std::uint8_t *bonds) const
 {
-  const auto bond = [&](const std::ptrdiff_t p, const std::size_t k) {
+  const auto bond = [&](const std::ptrdiff_t p, const std::size_t k)
+  {
     return (bonds[(p / Lattice::block_size) * shifts_.size() + k] >> (p % Lattice::block_size)) & 1;
   };
   int n = 0;

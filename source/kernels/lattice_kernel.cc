@@ -13,17 +13,19 @@ const LatticeKernel *lattice_kernel(const int law, const char *instruction_set)
 {
   struct Choice
   {
-    bool                 available;
+    bool available;
     const LatticeKernel *kernels;
   };
   __builtin_cpu_init();
   const Choice best_first[] = {
-    {__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"),
-     lattice_kernels_avx512},
-    {__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), lattice_kernels_avx2},
-    {true, lattice_kernels_baseline}};
+      {__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl"),
+       lattice_kernels_avx512},
+      {__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), lattice_kernels_avx2},
+      {true, lattice_kernels_baseline}};
   for (const auto &choice : best_first)
-    if (choice.available && (instruction_set == nullptr || std::strcmp(instruction_set, choice.kernels[0].instruction_set) == 0))
+    if (choice.available && (instruction_set == nullptr ||
+                             std::strcmp(instruction_set, choice.kernels[0].instruction_set) == 0))
       return choice.kernels + law;
   return nullptr;
 }

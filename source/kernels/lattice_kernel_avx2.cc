@@ -7,5 +7,5 @@
 namespace ricochet
 {
 extern const LatticeKernel *const lattice_kernels_avx2;
-const LatticeKernel *const        lattice_kernels_avx2 = kernels;
+const LatticeKernel *const lattice_kernels_avx2 = kernels;
 } // namespace ricochet

@@ -7,5 +7,5 @@
 namespace ricochet
 {
 extern const LatticeKernel *const lattice_kernels_avx512;
-const LatticeKernel *const        lattice_kernels_avx512 = kernels;
+const LatticeKernel *const lattice_kernels_avx512 = kernels;
 } // namespace ricochet

@@ -7,5 +7,5 @@
 namespace ricochet
 {
 extern const LatticeKernel *const lattice_kernels_baseline;
-const LatticeKernel *const        lattice_kernels_baseline = kernels;
+const LatticeKernel *const lattice_kernels_baseline = kernels;
 } // namespace ricochet

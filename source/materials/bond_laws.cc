@@ -20,15 +20,15 @@ BondLaw entry(const int index)
           [](const BondConstants &c, const double extension, const double theta_sum) {
             return Law::template tension<double>(c.volumetric, c.extension, extension, theta_sum);
           },
-          [](const BondConstants &c, const double extension) {
-            return Law::template bond_energy<double>(c.extension, extension);
-          }};
+          [](const BondConstants &c, const double extension)
+          { return Law::template bond_energy<double>(c.extension, extension); }};
 }
 } // namespace
 
 const std::vector<BondLaw> &bond_laws()
 {
-  static const std::vector<BondLaw> laws = [] {
+  static const std::vector<BondLaw> laws = []
+  {
     std::vector<BondLaw> menu;
 #define RICOCHET_ENTRY(Law) menu.push_back(entry<Law>(static_cast<int>(menu.size())));
     RICOCHET_BOND_LAWS(RICOCHET_ENTRY)
@@ -42,11 +42,11 @@ const BondLaw &bond_law(const std::string &name)
 {
   std::string known;
   for (const auto &law : bond_laws())
-    {
-      if (name == law.name)
-        return law;
-      known += (known.empty() ? "" : ", ") + std::string(law.name);
-    }
+  {
+    if (name == law.name)
+      return law;
+    known += (known.empty() ? "" : ", ") + std::string(law.name);
+  }
   throw InputError("There is no bond model '" + name + "'; choose one of: " + known + ".");
 }
 

@@ -11,7 +11,10 @@ class ConstantFriction : public FrictionLaw
 public:
   static constexpr const char *name = "constant";
 
-  explicit ConstantFriction(const FrictionParameters &parameters) : mu_0(parameters.static_coefficient) {}
+  explicit ConstantFriction(const FrictionParameters &parameters) :
+    mu_0(parameters.static_coefficient)
+  {
+  }
 
   double coefficient(double) const override { return mu_0; }
 

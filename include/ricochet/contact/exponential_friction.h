@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Friction that decays with the sliding speed, mu(v) = mu_inf + (mu_0 - mu_inf) exp(-gamma v): the exponential
-// dynamic Coulomb law of the explicit impact codes (PRONTO, LS-DYNA: FS, FD, DC).
+// Friction that decays with the sliding speed, mu(v) = mu_inf + (mu_0 - mu_inf) exp(-gamma v): the
+// exponential dynamic Coulomb law of the explicit impact codes (PRONTO, LS-DYNA: FS, FD, DC).
 #pragma once
 
 #include "ricochet/contact/friction_law.h"
@@ -15,8 +15,10 @@ public:
   static constexpr const char *name = "exponential";
 
   explicit ExponentialFriction(const FrictionParameters &parameters) :
-    mu_0(parameters.static_coefficient), mu_inf(parameters.kinetic_coefficient), gamma(parameters.decay)
-  {}
+    mu_0(parameters.static_coefficient), mu_inf(parameters.kinetic_coefficient),
+    gamma(parameters.decay)
+  {
+  }
 
   double coefficient(const double speed) const override
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Interface of a Coulomb friction law: the coefficient as a function of the sliding speed.
-// A new law is one header beside this one, one line in contact/friction_laws.h and one in tests/laws.h.
+// A new law is one header beside this one, one line in contact/friction_laws.h and one in
+// tests/laws.h.
 #pragma once
 
 #include <string>
@@ -10,11 +11,11 @@ namespace ricochet
 /// Constants shared by the friction laws; each law says in its header which of them it reads.
 struct FrictionParameters
 {
-  std::string law;                    // name in contact/friction_laws.h
-  double      static_coefficient;     // mu_0, at rest [-]
-  double      kinetic_coefficient;    // mu_inf, at high speed [-]
-  double      decay;                  // gamma [s/m]
-  double      regularisation_speed;   // below it the friction force falls linearly to zero [m/s]
+  std::string law;             // name in contact/friction_laws.h
+  double static_coefficient;   // mu_0, at rest [-]
+  double kinetic_coefficient;  // mu_inf, at high speed [-]
+  double decay;                // gamma [s/m]
+  double regularisation_speed; // below it the friction force falls linearly to zero [m/s]
 };
 
 class FrictionLaw

@@ -28,8 +28,8 @@ FrictionLawEntry friction_law_entry()
 inline const std::vector<FrictionLawEntry> &friction_laws()
 {
   static const std::vector<FrictionLawEntry> laws{
-    friction_law_entry<ExponentialFriction>(),
-    friction_law_entry<ConstantFriction>(),
+      friction_law_entry<ExponentialFriction>(),
+      friction_law_entry<ConstantFriction>(),
   };
   return laws;
 }
@@ -39,11 +39,12 @@ inline std::unique_ptr<FrictionLaw> make_friction_law(const FrictionParameters &
 {
   std::string known;
   for (const auto &law : friction_laws())
-    {
-      if (parameters.law == law.name)
-        return law.make(parameters);
-      known += (known.empty() ? "" : ", ") + std::string(law.name);
-    }
-  throw InputError("There is no friction law '" + parameters.law + "'; choose one of: " + known + ".");
+  {
+    if (parameters.law == law.name)
+      return law.make(parameters);
+    known += (known.empty() ? "" : ", ") + std::string(law.name);
+  }
+  throw InputError("There is no friction law '" + parameters.law + "'; choose one of: " + known +
+                   ".");
 }
 } // namespace ricochet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A rigid body of revolution with six degrees of freedom: centre, orientation (quaternion), linear velocity and angular
-// momentum, advanced by the leapfrog scheme of the points; with a symmetry plane y = 0 it keeps to that plane.
+// A rigid body of revolution with six degrees of freedom: centre, orientation (quaternion), linear
+// velocity and angular momentum, advanced by the leapfrog scheme of the points; with a symmetry
+// plane y = 0 it keeps to that plane.
 #pragma once
 
 #include "ricochet/geometry/body_of_revolution.h"
@@ -14,28 +15,32 @@ class RigidBody
 public:
   struct Motion
   {
-    Vector3            position;    // of the centroid [m]
-    Vector3            velocity;    // at the half step [m/s]
+    Vector3 position;               // of the centroid [m]
+    Vector3 velocity;               // at the half step [m/s]
     Eigen::Quaterniond orientation; // from body axes to space
-    Vector3            spin;        // angular velocity at the half step, in space [rad/s]
+    Vector3 spin;                   // angular velocity at the half step, in space [rad/s]
   };
 
   /// `mass` in kg, > 0. `planar`: motion in the plane y = 0 only.
   RigidBody(const BodyOfRevolution &body, double mass, const Motion &start, bool planar);
 
-  /// Kick then drift: force [N] and moment about the centroid [N m], dt in s. The spin of the half step is found from
-  /// the angular momentum with the orientation of the half step, so that torque-free motion conserves both.
+  /// Kick then drift: force [N] and moment about the centroid [N m], dt in s. The spin of the half
+  /// step is found from the angular momentum with the orientation of the half step, so that
+  /// torque-free motion conserves both.
   void advance(const Vector3 &force, const Vector3 &moment, double kick, double drift);
 
   const BodyOfRevolution &body() const { return body_; }
-  const Motion           &motion() const { return motion_; }
-  double                  mass() const { return mass_; }
-  Vector3                 axis() const { return motion_.orientation * Vector3::UnitX(); } // towards the tip
-  Vector3                 angular_momentum() const { return angular_momentum_; }          // about the centroid [kg m^2/s]
+  const Motion &motion() const { return motion_; }
+  double mass() const { return mass_; }
+  Vector3 axis() const { return motion_.orientation * Vector3::UnitX(); } // towards the tip
+  Vector3 angular_momentum() const { return angular_momentum_; } // about the centroid [kg m^2/s]
 
   /// Inclination of the axis to the plane z = 0, positive = nose up [rad].
   double pitch() const;
-  Vector3 velocity_at(const Vector3 &point) const { return motion_.velocity + motion_.spin.cross(point - motion_.position); }
+  Vector3 velocity_at(const Vector3 &point) const
+  {
+    return motion_.velocity + motion_.spin.cross(point - motion_.position);
+  }
   /// Signed distance, outward normal (in space) and surface at a point of space [m].
   BodyOfRevolution::Hit hit(const Vector3 &point) const;
   /// Lowest and highest corner of a box around the body, in space [m]. Exact.
@@ -45,9 +50,9 @@ private:
   Vector3 spin_from_momentum(const Eigen::Quaterniond &orientation) const;
 
   BodyOfRevolution body_;
-  double           mass_;
-  bool             planar_;
-  Motion           motion_;
-  Vector3          angular_momentum_;
+  double mass_;
+  bool planar_;
+  Motion motion_;
+  Vector3 angular_momentum_;
 };
 } // namespace ricochet

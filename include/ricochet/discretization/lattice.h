@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One body's points on a regular lattice, and the share of them that lives on this rank. Never changes after
-// construction; what moves is in LatticeState.
+// One body's points on a regular lattice, and the share of them that lives on this rank. Never
+// changes after construction; what moves is in LatticeState.
 //
-// Storage: planes of constant x, cut into contiguous slabs, one per rank; in a plane, rows of constant z; in a row, y
-// is contiguous. A bond is a constant shift of the flat index, so kernels run over flat blocks of 8 points and never
-// ask where a row ends: whether the bond of a point exists is one bit. Around the owned planes lie `reach` ghost
-// planes on either side, and before each row `reach` mirror images if y = 0 is a symmetry plane. The plane stride is a
-// multiple of 8, hence blocks fall on the same points for any number of ranks and sums are made in the same order.
+// Storage: planes of constant x, cut into contiguous slabs, one per rank; in a plane, rows of
+// constant z; in a row, y is contiguous. A bond is a constant shift of the flat index, so kernels
+// run over flat blocks of 8 points and never ask where a row ends: whether the bond of a point
+// exists is one bit. Around the owned planes lie `reach` ghost planes on either side, and before
+// each row `reach` mirror images if y = 0 is a symmetry plane. The plane stride is a multiple of 8,
+// hence blocks fall on the same points for any number of ranks and sums are made in the same order.
 #pragma once
 
 #include "ricochet/discretization/stencil.h"
@@ -24,37 +25,44 @@ class Lattice
 public:
   struct Box
   {
-    Vector3            corner;     // of lowest coordinates [m]; y = 0 with a mirror plane
-    double             spacing;    // dx [m]
-    std::array<int, 3> n;          // points along x, y, z (with a mirror plane: those at y > 0)
-    bool               mirror_y;   // symmetry plane at the corner's y
+    Vector3 corner;       // of lowest coordinates [m]; y = 0 with a mirror plane
+    double spacing;       // dx [m]
+    std::array<int, 3> n; // points along x, y, z (with a mirror plane: those at y > 0)
+    bool mirror_y;        // symmetry plane at the corner's y
   };
   /// Whether a point of the box is part of the body; arguments are its lattice coordinates.
   using Mask = std::function<bool(int, int, int)>;
 
   static constexpr int block_size = 8;
 
-  /// The share of `rank` out of `n_ranks`. Throws InputError if a rank would own fewer planes than the stencil reaches.
+  /// The share of `rank` out of `n_ranks`. Throws InputError if a rank would own fewer planes than
+  /// the stencil reaches.
   Lattice(const Box &box, const Stencil &stencil, int rank, int n_ranks, const Mask &mask = {});
 
-  const Box     &box() const { return box_; }
+  const Box &box() const { return box_; }
   const Stencil &stencil() const { return stencil_; }
-  bool           full() const { return full_; } // no point is masked out
+  bool full() const { return full_; } // no point is masked out
 
   std::ptrdiff_t plane_stride() const { return plane_stride_; }
-  std::ptrdiff_t size() const { return size_; } // entries of a field array, padding included
-  int            n_planes() const { return n_planes_; }         // owned by this rank
-  int            first_plane() const { return first_plane_; }   // global number of the first owned one
+  std::ptrdiff_t size() const { return size_; }    // entries of a field array, padding included
+  int n_planes() const { return n_planes_; }       // owned by this rank
+  int first_plane() const { return first_plane_; } // global number of the first owned one
   std::ptrdiff_t owned_begin() const { return stencil_.reach * plane_stride_; }
   std::ptrdiff_t owned_end() const { return (stencil_.reach + n_planes_) * plane_stride_; }
-  std::ptrdiff_t shift(const Stencil::Offset &o) const { return o.x * plane_stride_ + o.z * row_stride_ + o.y; }
+  std::ptrdiff_t shift(const Stencil::Offset &o) const
+  {
+    return o.x * plane_stride_ + o.z * row_stride_ + o.y;
+  }
 
   /// Lattice coordinates of a flat index: x global, y negative for a mirror image.
   std::array<int, 3> coordinates(std::ptrdiff_t index) const;
-  std::ptrdiff_t     index(int x, int y, int z) const;
-  Vector3            reference_position(const std::array<int, 3> &coordinates) const; // [m]
+  std::ptrdiff_t index(int x, int y, int z) const;
+  Vector3 reference_position(const std::array<int, 3> &coordinates) const; // [m]
   /// Global plane of an owned index.
-  int plane_of(std::ptrdiff_t index) const { return first_plane_ + static_cast<int>(index / plane_stride_) - stencil_.reach; }
+  int plane_of(std::ptrdiff_t index) const
+  {
+    return first_plane_ + static_cast<int>(index / plane_stride_) - stencil_.reach;
+  }
 
   /// 1 for points that exist (ghosts and images too).
   bool exists(std::ptrdiff_t index) const { return (exists_[index / 8] >> (index % 8)) & 1; }
@@ -62,8 +70,8 @@ public:
   bool owned(std::ptrdiff_t index) const { return (owned_[index / 8] >> (index % 8)) & 1; }
   const std::vector<std::uint8_t> &owned_mask() const { return owned_; }
 
-  /// One byte per block and offset, block-major: bit l is the bond from point 8 block + l. A bond is stored on every
-  /// rank that owns one of its ends.
+  /// One byte per block and offset, block-major: bit l is the bond from point 8 block + l. A bond
+  /// is stored on every rank that owns one of its ends.
   std::vector<std::uint8_t> intact_bonds() const;
 
   /// For rows of all local planes: calls visit(image, original) for each mirror image.
@@ -73,14 +81,14 @@ public:
   std::int64_t n_owned_points() const { return n_owned_points_; }
 
 private:
-  Box                       box_;
-  Stencil                   stencil_;
-  Mask                      mask_;
-  bool                      full_;
-  int                       mirror_layers_;
-  int                       first_plane_, n_planes_;
-  std::ptrdiff_t            row_stride_, plane_stride_, size_;
-  std::int64_t              n_owned_points_;
+  Box box_;
+  Stencil stencil_;
+  Mask mask_;
+  bool full_;
+  int mirror_layers_;
+  int first_plane_, n_planes_;
+  std::ptrdiff_t row_stride_, plane_stride_, size_;
+  std::int64_t n_owned_points_;
   std::vector<std::uint8_t> exists_, owned_;
 };
 
@@ -92,10 +100,10 @@ void Lattice::for_each_image(Visitor &&visit) const
   const std::ptrdiff_t n_planes = n_planes_ + 2 * stencil_.reach;
   for (std::ptrdiff_t plane = 0; plane < n_planes; ++plane)
     for (int z = 0; z < box_.n[2]; ++z)
-      {
-        const std::ptrdiff_t first = plane * plane_stride_ + z * row_stride_ + mirror_layers_;
-        for (int layer = 0; layer < mirror_layers_; ++layer)
-          visit(first - 1 - layer, first + layer);
-      }
+    {
+      const std::ptrdiff_t first = plane * plane_stride_ + z * row_stride_ + mirror_layers_;
+      for (int layer = 0; layer < mirror_layers_; ++layer)
+        visit(first - 1 - layer, first + layer);
+    }
 }
 } // namespace ricochet

@@ -28,8 +28,8 @@ private:
   {
     void operator()(double *p) const;
   };
-  std::ptrdiff_t                     size_;
-  std::unique_ptr<double[], Free>    storage_;
-  std::vector<std::uint8_t>          bonds_;
+  std::ptrdiff_t size_;
+  std::unique_ptr<double[], Free> storage_;
+  std::vector<std::uint8_t> bonds_;
 };
 } // namespace ricochet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Sums over all points which do not depend on the number of ranks, not even by rounding: each lattice plane, which
-// lies on one rank, is summed by itself; the planes' sums are then added in their order.
+// Sums over all points which do not depend on the number of ranks, not even by rounding: each
+// lattice plane, which lies on one rank, is summed by itself; the planes' sums are then added in
+// their order.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +19,8 @@ public:
 
   explicit PlaneSums(const int n_planes) : planes_(n_planes, Values{}) {}
 
-  Values       &operator[](const int plane) { return planes_[plane]; }
-  void          clear() { std::fill(planes_.begin(), planes_.end(), Values{}); }
+  Values &operator[](const int plane) { return planes_[plane]; }
+  void clear() { std::fill(planes_.begin(), planes_.end(), Values{}); }
 
   /// Sum over planes and ranks. Collective.
   Values total(const MPI_Comm communicator) const
@@ -28,13 +29,14 @@ public:
     MPI_Comm_size(communicator, &n_ranks);
     // A plane's row is zero on all ranks but its owner's, so this reduction is exact.
     const std::vector<Values> *all = &planes_;
-    std::vector<Values>        gathered;
+    std::vector<Values> gathered;
     if (n_ranks > 1)
-      {
-        gathered = planes_;
-        MPI_Allreduce(MPI_IN_PLACE, gathered.data(), static_cast<int>(gathered.size() * n_quantities), MPI_DOUBLE, MPI_SUM, communicator);
-        all = &gathered;
-      }
+    {
+      gathered = planes_;
+      MPI_Allreduce(MPI_IN_PLACE, gathered.data(), static_cast<int>(gathered.size() * n_quantities),
+                    MPI_DOUBLE, MPI_SUM, communicator);
+      all = &gathered;
+    }
     Values sum{};
     for (const auto &plane : *all)
       for (int i = 0; i < n_quantities; ++i)

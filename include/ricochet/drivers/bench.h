@@ -9,15 +9,16 @@ namespace ricochet
 {
 struct KernelBenchOptions
 {
-  int         points_per_edge = 47;     // of a cube
-  int         repeats         = 7;      // the median counts
-  bool        holes           = false;  // cut a sphere out of the cube
-  std::string bond_model      = "linear peridynamic solid";
-  std::string instruction_set;          // empty: the best one
-  bool        json            = false;  // one JSON object instead of text
+  int points_per_edge    = 47;    // of a cube
+  int repeats            = 7;     // the median counts
+  bool holes             = false; // cut a sphere out of the cube
+  std::string bond_model = "linear peridynamic solid";
+  std::string instruction_set; // empty: the best one
+  bool json = false;           // one JSON object instead of text
 };
 
-/// Full time steps (halo, breaking, dilatation, force, kick and drift) of a cube in motion with damage switched on.
-/// Collective; prints on rank 0. Throws InputError for an unknown law or instruction set.
+/// Full time steps (halo, breaking, dilatation, force, kick and drift) of a cube in motion with
+/// damage switched on. Collective; prints on rank 0. Throws InputError for an unknown law or
+/// instruction set.
 void bench_kernel(MPI_Comm communicator, const KernelBenchOptions &options);
 } // namespace ricochet

@@ -8,6 +8,7 @@
 
 namespace ricochet
 {
-/// Builds the scene, measures its time step and its speed, and prints the cost. Collective; throws what run() would.
+/// Builds the scene, measures its time step and its speed, and prints the cost. Collective; throws
+/// what run() would.
 void check(MPI_Comm communicator, const ParameterFile &file);
 } // namespace ricochet

@@ -20,7 +20,7 @@ const char *name_of(Outcome outcome);
 
 struct Verdict
 {
-  Outcome     outcome;
+  Outcome outcome;
   std::string exit_face; // "front", "rear", "edge" or "none"
   std::string reason;    // why the run ended, for the user
 };
@@ -33,24 +33,29 @@ public:
   /// Call once per step, after evaluate().
   void update();
 
-  /// The projectile is clear of the undeformed target, moves away from it and has touched nothing, debris included, for
-  /// the scene's free time; or it rests.
+  /// The projectile is clear of the undeformed target, moves away from it and has touched nothing,
+  /// debris included, for the scene's free time; or it rests.
   bool decided() const { return decided_; }
 
-  /// The verdict so far; if the run ended for another reason than decided(), that reason is given by the caller.
+  /// The verdict so far; if the run ended for another reason than decided(), that reason is given
+  /// by the caller.
   Verdict verdict(const std::string &other_reason) const;
 
-  double max_depth() const { return max_depth_; } // of the lowest point of the projectile below the front face [m]
-  double path() const { return path_; }           // length of the centroid's path [m]
+  double max_depth() const
+  {
+    return max_depth_;
+  } // of the lowest point of the projectile below the front face [m]
+  double path() const { return path_; } // length of the centroid's path [m]
 
 private:
-  /// The face behind which the whole projectile (or, if `centroid`, its centre) lies and from which it moves away.
+  /// The face behind which the whole projectile (or, if `centroid`, its centre) lies and from which
+  /// it moves away.
   std::string face_left_behind(bool centroid) const;
 
   const Simulation &simulation_;
-  bool              decided_   = false;
-  double            max_depth_ = 0., path_ = 0.;
-  double            last_contact_ = 0., last_motion_ = 0.; // times [s]
-  Vector3           last_position_;
+  bool decided_     = false;
+  double max_depth_ = 0., path_ = 0.;
+  double last_contact_ = 0., last_motion_ = 0.; // times [s]
+  Vector3 last_position_;
 };
 } // namespace ricochet

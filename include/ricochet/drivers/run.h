@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One run from a parameter file to results on disk: builds the simulation, steps it to its end, writes history, frames,
-// summary and pictures, and protects the user on the way.
+// One run from a parameter file to results on disk: builds the simulation, steps it to its end,
+// writes history, frames, summary and pictures, and protects the user on the way.
 #pragma once
 
 #include "ricochet/scene/parameter_file.h"
@@ -20,10 +20,12 @@ struct RunOptions
 /**
  * Runs the scene of the file. Collective. Returns the summary, which also stands in summary.json.
  *
- * Throws InputError, FileError or RunError; a run that breaks down leaves its history, frames and a summary which says
- * so. SIGINT and SIGTERM end the run in order after the present step: "interrupted" is then true in the summary.
+ * Throws InputError, FileError or RunError; a run that breaks down leaves its history, frames and a
+ * summary which says so. SIGINT and SIGTERM end the run in order after the present step:
+ * "interrupted" is then true in the summary.
  */
-nlohmann::ordered_json run(MPI_Comm communicator, const ParameterFile &file, const RunOptions &options);
+nlohmann::ordered_json run(MPI_Comm communicator, const ParameterFile &file,
+                           const RunOptions &options);
 
 /// The verdict of a summary in a few lines for the terminal.
 std::string describe(const nlohmann::ordered_json &summary);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One impact: plates, projectile and all forces between them, and the time step. Knows neither files nor the clock on
-// the wall; drivers/run.h does. One step reads
-//   ghosts <- positions;  bonds broken;  f = bonds + projectile contact + debris contact;  v += f dt/m;  x += v dt
+// One impact: plates, projectile and all forces between them, and the time step. Knows neither
+// files nor the clock on the wall; drivers/run.h does. One step reads
+//   ghosts <- positions;  bonds broken;  f = bonds + projectile contact + debris contact;  v += f
+//   dt/m;  x += v dt
 #pragma once
 
 #include "ricochet/forces/debris_contact.h"
@@ -24,10 +25,14 @@ struct EnergyBalance
   double fracture;   // released by broken bonds
   double initial;    // kinetic energy of the projectile at the start
 
-  double residual() const { return initial - projectile - kinetic - strain - contact - debris - friction - fracture; }
+  double residual() const
+  {
+    return initial - projectile - kinetic - strain - contact - debris - friction - fracture;
+  }
 };
 
-/// Total momenta of the full model; with a symmetry plane only the components that it leaves free are non-zero.
+/// Total momenta of the full model; with a symmetry plane only the components that it leaves free
+/// are non-zero.
 struct MomentumBalance
 {
   Vector3 linear;  // [kg m/s]
@@ -37,42 +42,49 @@ struct MomentumBalance
 class Simulation
 {
 public:
-  /// Builds everything. Collective. Throws InputError, for instance if the projectile starts inside a plate.
+  /// Builds everything. Collective. Throws InputError, for instance if the projectile starts inside
+  /// a plate.
   Simulation(MPI_Comm communicator, const Scene &scene);
 
-  /// Forces at the present time; with `energy` strain energies too, so that energies() may be called.
+  /// Forces at the present time; with `energy` strain energies too, so that energies() may be
+  /// called.
   void evaluate(bool energy);
   /// To the next time: kick and drift. Call after evaluate().
   void advance();
 
   double time() const { return time_; } // [s]
   double dt() const { return dt_; }     // [s]
-  long   step() const { return step_; }
+  long step() const { return step_; }
 
-  const Scene                        &scene() const { return scene_; }
-  const RigidBody                    &projectile() const { return *projectile_; }
-  const ProjectileContact::Reaction  &reaction() const { return reaction_; } // of all plates, at the last evaluate()
+  const Scene &scene() const { return scene_; }
+  const RigidBody &projectile() const { return *projectile_; }
+  const ProjectileContact::Reaction &reaction() const
+  {
+    return reaction_;
+  } // of all plates, at the last evaluate()
   const std::vector<std::unique_ptr<PeridynamicForce>> &plates() const { return plates_; }
-  const MaterialParameters           &material(std::size_t plate) const;
-  double                              critical_stretch(std::size_t plate) const; // [-]
+  const MaterialParameters &material(std::size_t plate) const;
+  double critical_stretch(std::size_t plate) const; // [-]
 
-  /// Lower and upper corner of all plates in the reference configuration, mirrored half included [m].
+  /// Lower and upper corner of all plates in the reference configuration, mirrored half included
+  /// [m].
   std::pair<Vector3, Vector3> target_box() const;
 
   /// Collective; after evaluate(true), before advance().
   EnergyBalance energies() const;
   /// Of the half step before the present time. Collective.
   MomentumBalance momenta() const;
-  double          broken_bonds() const; // each once, both halves; collective
-  double          n_points() const;     // of the full or half model as computed; collective
-  double          n_bonds() const;      // intact ones now; collective
+  double broken_bonds() const; // each once, both halves; collective
+  double n_points() const;     // of the full or half model as computed; collective
+  double n_bonds() const;      // intact ones now; collective
 
-  /// Throws RunError naming point, field and time if a field of this or another rank is not finite. Collective.
+  /// Throws RunError naming point, field and time if a field of this or another rank is not finite.
+  /// Collective.
   void check_finite() const;
   /// "Point (x, y, z) of plate n is the fastest, at v m/s." Collective.
   std::string describe_fastest_point() const;
 
-  PointFrame   points() const; // owned by this rank
+  PointFrame points() const; // owned by this rank
   SurfaceFrame surface() const;
 
   /// What limits the step, for the user.
@@ -89,21 +101,21 @@ private:
   void build_projectile();
   void choose_time_step();
 
-  MPI_Comm                                       communicator_;
-  Scene                                          scene_;
-  double                                         multiplicity_; // 2 with a symmetry plane
+  MPI_Comm communicator_;
+  Scene scene_;
+  double multiplicity_; // 2 with a symmetry plane
   std::vector<std::unique_ptr<PeridynamicForce>> plates_;
-  std::vector<ProjectileContact>                 contacts_;  // per plate
-  std::vector<FractureEnergy>                    fractures_; // per plate
-  std::unique_ptr<DebrisContact>                 debris_;
-  std::unique_ptr<FrictionLaw>                   friction_law_;
-  std::unique_ptr<RigidBody>                     projectile_;
-  ProjectileContact::Reaction                    reaction_;
-  TimeStepInfo                                   time_step_info_;
-  double                                         time_ = 0., dt_ = 0.;
-  long                                           step_ = 0;
-  double                                         initial_energy_ = 0.;
-  double                                         work_on_projectile_ = 0.; // of friction [J]
+  std::vector<ProjectileContact> contacts_; // per plate
+  std::vector<FractureEnergy> fractures_;   // per plate
+  std::unique_ptr<DebrisContact> debris_;
+  std::unique_ptr<FrictionLaw> friction_law_;
+  std::unique_ptr<RigidBody> projectile_;
+  ProjectileContact::Reaction reaction_;
+  TimeStepInfo time_step_info_;
+  double time_ = 0., dt_ = 0.;
+  long step_                 = 0;
+  double initial_energy_     = 0.;
+  double work_on_projectile_ = 0.; // of friction [J]
 };
 
 /// s_c from the material: given, or from the energy release rate on this stencil [-].

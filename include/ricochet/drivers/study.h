@@ -14,11 +14,12 @@ struct StudyOptions
 };
 
 /**
- * Runs every case of the study, each into its own folder, and writes study.csv after each. A case that fails is kept in
- * the table with its reason and does not stop the others. A finished case is one whose summary says so and whose
- * parameters are those of now.
+ * Runs every case of the study, each into its own folder, and writes study.csv after each. A case
+ * that fails is kept in the table with its reason and does not stop the others. A finished case is
+ * one whose summary says so and whose parameters are those of now.
  *
- * Collective. Returns the number of failed cases. Throws InputError or FileError for the study itself.
+ * Collective. Returns the number of failed cases. Throws InputError or FileError for the study
+ * itself.
  */
 int study(MPI_Comm communicator, const std::string &path, const StudyOptions &options);
 } // namespace ricochet

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The largest frequency of a body by matrix-free power iteration with the very force routine that is integrated: an
-// element-wise or bond-wise bound would waste a quarter to a half of the step.
+// The largest frequency of a body by matrix-free power iteration with the very force routine that
+// is integrated: an element-wise or bond-wise bound would waste a quarter to a half of the step.
 #pragma once
 
 #include "ricochet/forces/peridynamic_force.h"
@@ -13,7 +13,9 @@ struct FrequencyEstimate
   double seconds_per_force; // wall time of one force evaluation with halo exchange [s]
 };
 
-/// `n_iterations` force evaluations about the reference configuration (30 suffice for 1 %). The body is left at rest
-/// in its reference configuration. Collective; the result does not depend on the number of ranks.
-FrequencyEstimate estimate_largest_frequency(MPI_Comm communicator, PeridynamicForce &body, int n_iterations = 30);
+/// `n_iterations` force evaluations about the reference configuration (30 suffice for 1 %). The
+/// body is left at rest in its reference configuration. Collective; the result does not depend on
+/// the number of ranks.
+FrequencyEstimate estimate_largest_frequency(MPI_Comm communicator, PeridynamicForce &body,
+                                             int n_iterations = 30);
 } // namespace ricochet

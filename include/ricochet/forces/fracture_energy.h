@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Strain energy set free by breaking bonds: the energy of the body with the bonds of the last step minus the energy
-// without them. An independent entry of the energy balance, not what is left over.
+// Strain energy set free by breaking bonds: the energy of the body with the bonds of the last step
+// minus the energy without them. An independent entry of the energy balance, not what is left over.
 //
-// The leapfrog scheme conserves v-.v+/2 + U(x_n) between the steps, and with it the bilinear form U(x_n, x_n-1) of the
-// bonds that are still there. A bond that breaks at step n therefore takes k e_n e_n-1 / 2 out of the balance and not
-// k e_n^2 / 2; with steps in which a bond stretches by a fifth of its limit the difference is a fifth of the fracture energy.
+// The leapfrog scheme conserves v-.v+/2 + U(x_n) between the steps, and with it the bilinear form
+// U(x_n, x_n-1) of the bonds that are still there. A bond that breaks at step n therefore takes k
+// e_n e_n-1 / 2 out of the balance and not k e_n^2 / 2; with steps in which a bond stretches by a
+// fifth of its limit the difference is a fifth of the fracture energy.
 #pragma once
 
 #include "ricochet/discretization/plane_sums.h"
@@ -29,13 +30,13 @@ public:
   Total total(MPI_Comm communicator) const;
 
 private:
-  const PeridynamicForce                          &body_;
-  double                                           multiplicity_;
-  PlaneSums<2>                                     sums_;       // energy, bond ends
+  const PeridynamicForce &body_;
+  double multiplicity_;
+  PlaneSums<2> sums_; // energy, bond ends
   struct LostTheta
   {
     std::ptrdiff_t point;
-    double         now, before; // contribution of a broken bond at this step and one step ago [-]
+    double now, before; // contribution of a broken bond at this step and one step ago [-]
   };
   std::vector<LostTheta> lost_theta_; // of owned points
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The internal force of one peridynamic body: bonds broken first, then dilatation, then forces, with the halo and the
-// mirror images kept up to date. Owns the body's lattice and state.
+// The internal force of one peridynamic body: bonds broken first, then dilatation, then forces,
+// with the halo and the mirror images kept up to date. Owns the body's lattice and state.
 #pragma once
 
 #include "ricochet/discretization/halo.h"
@@ -15,44 +15,48 @@ namespace ricochet
 struct PeridynamicMaterial
 {
   const BondLaw *law;
-  double         density;          // [kg/m^3]
-  double         bulk_modulus;     // [Pa]
-  double         shear_modulus;    // [Pa]
-  double         critical_stretch; // s_c [-]; infinite: never breaks
+  double density;          // [kg/m^3]
+  double bulk_modulus;     // [Pa]
+  double shear_modulus;    // [Pa]
+  double critical_stretch; // s_c [-]; infinite: never breaks
 };
 
 class PeridynamicForce
 {
 public:
-  /// Collective. `number` of the body, from 0, keeps the messages of several bodies apart. `instruction_set` as in
-  /// lattice_kernel(). Throws InputError if the processor lacks it or if the law cannot represent the moduli.
-  PeridynamicForce(MPI_Comm communicator, int number, const Lattice::Box &box, const Stencil &stencil,
-                   const PeridynamicMaterial &material, const Lattice::Mask &mask = {}, const char *instruction_set = nullptr);
+  /// Collective. `number` of the body, from 0, keeps the messages of several bodies apart.
+  /// `instruction_set` as in lattice_kernel(). Throws InputError if the processor lacks it or if
+  /// the law cannot represent the moduli.
+  PeridynamicForce(MPI_Comm communicator, int number, const Lattice::Box &box,
+                   const Stencil &stencil, const PeridynamicMaterial &material,
+                   const Lattice::Mask &mask = {}, const char *instruction_set = nullptr);
   PeridynamicForce(const PeridynamicForce &)            = delete;
   PeridynamicForce &operator=(const PeridynamicForce &) = delete;
 
-  /// Ghosts and images take over positions and velocities; call after every change of them. Collective.
+  /// Ghosts and images take over positions and velocities; call after every change of them.
+  /// Collective.
   void update_ghosts();
 
-  /// Breaks overstretched bonds, then overwrites `force` with the bond forces; positions of ghosts must be up to
-  /// date. With `energy`, also each point's strain energy. Collective.
+  /// Breaks overstretched bonds, then overwrites `force` with the bond forces; positions of ghosts
+  /// must be up to date. With `energy`, also each point's strain energy. Collective.
   void evaluate(bool breaking, bool energy);
 
-  /// Kick and drift of the owned points: v += f kick/m, x += v drift; both in s, equal but in a first half step.
+  /// Kick and drift of the owned points: v += f kick/m, x += v drift; both in s, equal but in a
+  /// first half step.
   void advance(double kick, double drift);
 
-  const Lattice             &lattice() const { return lattice_; }
-  LatticeState              &state() { return state_; }
-  const LatticeState        &state() const { return state_; }
+  const Lattice &lattice() const { return lattice_; }
+  LatticeState &state() { return state_; }
+  const LatticeState &state() const { return state_; }
   const PeridynamicMaterial &material() const { return material_; }
-  const LatticeKernel       &kernel() const { return *kernel_; }
+  const LatticeKernel &kernel() const { return *kernel_; }
   const std::vector<BondConstants> &bond_constants() const { return constants_; }
-  double                     point_stiffness() const { return table_.point_stiffness; } // [J]
-  double                     point_mass() const { return mass_; }                        // [kg]
+  double point_stiffness() const { return table_.point_stiffness; } // [J]
+  double point_mass() const { return mass_; }                       // [kg]
 
   /// What the last evaluate() broke; a bond with ends on two ranks stands on both.
   const std::vector<BrokenBonds> &broken() const { return broken_; }
-  std::size_t                     n_broken_entries() const { return n_broken_; }
+  std::size_t n_broken_entries() const { return n_broken_; }
 
   /// Bonds of the body; each counted once, over all ranks, a mirrored one half. Collective, slow.
   double count_bonds() const;
@@ -63,41 +67,42 @@ public:
 
   /// Damage of an owned point: share of its family that is broken [-].
   double damage(std::ptrdiff_t index) const;
-  bool   is_damaged(const std::ptrdiff_t index) const { return damaged_[index]; }
+  bool is_damaged(const std::ptrdiff_t index) const { return damaged_[index]; }
   /// Fewer neighbours than in the bulk at the start: lies on a surface.
-  bool   is_surface(std::ptrdiff_t index) const;
+  bool is_surface(std::ptrdiff_t index) const;
 
 private:
-  int                        family_size(std::ptrdiff_t index, const std::uint8_t *bonds) const;
+  int family_size(std::ptrdiff_t index, const std::uint8_t *bonds) const;
 
-  MPI_Comm                   communicator_;
-  Lattice                    lattice_;
-  LatticeState               state_;
-  PeridynamicMaterial        material_;
-  Halo                       halo_;
-  const LatticeKernel       *kernel_;
-  double                     mass_;
+  MPI_Comm communicator_;
+  Lattice lattice_;
+  LatticeState state_;
+  PeridynamicMaterial material_;
+  Halo halo_;
+  const LatticeKernel *kernel_;
+  double mass_;
   std::vector<BondConstants> constants_, unbreakable_constants_;
-  std::vector<int64_t>       shifts_;
-  BondTable                  table_, unbreakable_table_;
-  std::vector<std::uint8_t>  initial_bonds_;
+  std::vector<int64_t> shifts_;
+  BondTable table_, unbreakable_table_;
+  std::vector<std::uint8_t> initial_bonds_;
   std::vector<std::uint16_t> initial_family_; // bonds of each owned point at the start
-  std::vector<char>          damaged_;
-  std::vector<BrokenBonds>   broken_;
-  std::size_t                n_broken_ = 0;
+  std::vector<char> damaged_;
+  std::vector<BrokenBonds> broken_;
+  std::size_t n_broken_ = 0;
 };
 
 template <class Visitor>
 void PeridynamicForce::for_each_broken_bond(Visitor &&visit) const
 {
-  const std::size_t    n     = shifts_.size();
-  const std::ptrdiff_t last  = lattice_.owned_end() / Lattice::block_size;
-  const auto          *bonds = state_.arrays.bonds;
+  const std::size_t n       = shifts_.size();
+  const std::ptrdiff_t last = lattice_.owned_end() / Lattice::block_size;
+  const auto *bonds         = state_.arrays.bonds;
   for (std::ptrdiff_t block = 0; block < last; ++block)
     for (std::size_t k = 0; k < n; ++k)
       if (const unsigned int gone = initial_bonds_[block * n + k] & ~bonds[block * n + k])
         for (int lane = 0; lane < Lattice::block_size; ++lane)
           if ((gone >> lane) & 1)
-            visit(block * Lattice::block_size + lane, block * Lattice::block_size + lane + shifts_[k], k);
+            visit(block * Lattice::block_size + lane,
+                  block * Lattice::block_size + lane + shifts_[k], k);
 }
 } // namespace ricochet

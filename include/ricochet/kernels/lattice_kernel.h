@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The hot loops of a lattice, as a table of plain functions per bond law and instruction set. Numbers in, numbers
-// out; this header is compiled for several instruction sets and must stay free of library headers.
+// The hot loops of a lattice, as a table of plain functions per bond law and instruction set.
+// Numbers in, numbers out; this header is compiled for several instruction sets and must stay free
+// of library headers.
 #pragma once
 
 #include "ricochet/materials/bond_law.h"
@@ -9,25 +10,26 @@
 
 namespace ricochet
 {
-/// A lattice's moving fields; arrays are 64-byte aligned, padded as Lattice says, indexed by the flat point index.
+/// A lattice's moving fields; arrays are 64-byte aligned, padded as Lattice says, indexed by the
+/// flat point index.
 struct LatticeArrays
 {
-  double        *position[3]; // current [m]
-  double        *velocity[3]; // at the half step [m/s]
-  double        *force[3];    // [N]
-  double        *theta;       // dilatation [-]
-  double        *theta_before; // the same one step ago [-]
-  double        *energy;      // strain energy of the point [J], only if asked for
-  uint8_t       *bonds;       // one bit per bond, see Lattice::intact_bonds
-  const uint8_t *owned;       // one bit per point
+  double *position[3];  // current [m]
+  double *velocity[3];  // at the half step [m/s]
+  double *force[3];     // [N]
+  double *theta;        // dilatation [-]
+  double *theta_before; // the same one step ago [-]
+  double *energy;       // strain energy of the point [J], only if asked for
+  uint8_t *bonds;       // one bit per bond, see Lattice::intact_bonds
+  const uint8_t *owned; // one bit per point
 };
 
 struct BondTable
 {
-  int                  n;         // forward offsets
-  const int64_t       *shift;     // flat index distance
+  int n;                          // forward offsets
+  const int64_t *shift;           // flat index distance
   const BondConstants *constants; // per offset
-  double               point_stiffness; // [J], energy of a point per theta^2
+  double point_stiffness;         // [J], energy of a point per theta^2
 };
 
 /// Bonds broken in one step: up to 8 of the same offset.
@@ -42,21 +44,26 @@ struct LatticeKernel
 {
   const char *instruction_set;
 
-  /// Breaks bonds stretched beyond their limit and adds every intact bond's part to theta, which must be zero before.
-  /// `log` must hold one entry per block and offset; returns how many were written.
-  int64_t (*stretch)(const LatticeArrays &, const BondTable &, int64_t first_block, int64_t last_block, BrokenBonds *log);
+  /// Breaks bonds stretched beyond their limit and adds every intact bond's part to theta, which
+  /// must be zero before. `log` must hold one entry per block and offset; returns how many were
+  /// written.
+  int64_t (*stretch)(const LatticeArrays &, const BondTable &, int64_t first_block,
+                     int64_t last_block, BrokenBonds *log);
 
   /// Adds bond forces to both ends; `force` must be zero before, theta complete.
   void (*force)(const LatticeArrays &, const BondTable &, int64_t first_block, int64_t last_block);
 
   /// The same and adds each point's strain energy to `energy`, half a bond to either end.
-  void (*force_and_energy)(const LatticeArrays &, const BondTable &, int64_t first_block, int64_t last_block);
+  void (*force_and_energy)(const LatticeArrays &, const BondTable &, int64_t first_block,
+                           int64_t last_block);
 
   /// Kick and drift of owned points: v += f dt/m, x += v dt.
-  void (*advance)(const LatticeArrays &, int64_t first_block, int64_t last_block, double dt_over_mass, double dt);
+  void (*advance)(const LatticeArrays &, int64_t first_block, int64_t last_block,
+                  double dt_over_mass, double dt);
 };
 
-/// The kernel of a law (its number in materials/bond_law_list.h) for the best instruction set of this processor, or
-/// for the one named ("avx512", "avx2", "baseline"); null if the processor lacks it.
+/// The kernel of a law (its number in materials/bond_law_list.h) for the best instruction set of
+/// this processor, or for the one named ("avx512", "avx2", "baseline"); null if the processor lacks
+/// it.
 const LatticeKernel *lattice_kernel(int law, const char *instruction_set = nullptr);
 } // namespace ricochet

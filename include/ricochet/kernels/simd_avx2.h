@@ -13,8 +13,8 @@ struct Simd
   using V = __m256d;
   using M = __m256d;
 
-  static constexpr int         width = 4;
-  static constexpr const char *name  = "avx2";
+  static constexpr int width        = 4;
+  static constexpr const char *name = "avx2";
 
   static V zero() { return _mm256_setzero_pd(); }
   static V set(const double value) { return _mm256_set1_pd(value); }
@@ -26,23 +26,28 @@ struct Simd
   static M mask(const unsigned int bits)
   {
     const __m256i lane = _mm256_set_epi64x(8, 4, 2, 1);
-    return _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(bits), lane), lane));
+    return _mm256_castsi256_pd(
+        _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(bits), lane), lane));
   }
   static unsigned int bits(const M mask) { return _mm256_movemask_pd(mask); }
-  static bool         any(const M mask) { return _mm256_movemask_pd(mask) != 0; }
-  static M greater(const V a, const V b, const M among) { return _mm256_and_pd(among, _mm256_cmp_pd(a, b, _CMP_GT_OQ)); }
+  static bool any(const M mask) { return _mm256_movemask_pd(mask) != 0; }
+  static M greater(const V a, const V b, const M among)
+  {
+    return _mm256_and_pd(among, _mm256_cmp_pd(a, b, _CMP_GT_OQ));
+  }
   static V keep(const M mask, const V v) { return _mm256_and_pd(mask, v); }
 
-  /// 1/sqrt(a) to about two units in the last place: the 12-bit single precision estimate and two steps of third
-  /// order. Squared bond lengths (1e-10 ... 1 m^2) are well inside the range of single precision.
+  /// 1/sqrt(a) to about two units in the last place: the 12-bit single precision estimate and two
+  /// steps of third order. Squared bond lengths (1e-10 ... 1 m^2) are well inside the range of
+  /// single precision.
   static V inverse_sqrt(const V a)
   {
     V y = _mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(a)));
     for (int i = 0; i < 2; ++i)
-      {
-        const V h = fnma(a * y, y, set(1.));
-        y         = fma(y * h, fma(h, set(3. / 8.), set(1. / 2.)), y);
-      }
+    {
+      const V h = fnma(a * y, y, set(1.));
+      y         = fma(y * h, fma(h, set(3. / 8.), set(1. / 2.)), y);
+    }
     return y;
   }
 };

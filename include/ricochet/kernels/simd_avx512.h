@@ -13,8 +13,8 @@ struct Simd
   using V = __m512d;
   using M = __mmask8;
 
-  static constexpr int         width = 8;
-  static constexpr const char *name  = "avx512";
+  static constexpr int width        = 8;
+  static constexpr const char *name = "avx512";
 
   static V zero() { return _mm512_setzero_pd(); }
   static V set(const double value) { return _mm512_set1_pd(value); }
@@ -23,18 +23,22 @@ struct Simd
   static V fma(const V a, const V b, const V c) { return _mm512_fmadd_pd(a, b, c); }
   static V fnma(const V a, const V b, const V c) { return _mm512_fnmadd_pd(a, b, c); }
 
-  static M            mask(const unsigned int bits) { return M(bits); }
+  static M mask(const unsigned int bits) { return M(bits); }
   static unsigned int bits(const M mask) { return mask; }
-  static bool         any(const M mask) { return mask != 0; }
-  static M greater(const V a, const V b, const M among) { return _mm512_mask_cmp_pd_mask(among, a, b, _CMP_GT_OQ); }
+  static bool any(const M mask) { return mask != 0; }
+  static M greater(const V a, const V b, const M among)
+  {
+    return _mm512_mask_cmp_pd_mask(among, a, b, _CMP_GT_OQ);
+  }
   static V keep(const M mask, const V v) { return _mm512_maskz_mov_pd(mask, v); } // zero elsewhere
 
-  /// 1/sqrt(a) to about one unit in the last place: the 14-bit estimate and the series of (1 - h)^(-1/2) to h^4.
+  /// 1/sqrt(a) to about one unit in the last place: the 14-bit estimate and the series of (1 -
+  /// h)^(-1/2) to h^4.
   static V inverse_sqrt(const V a)
   {
     const V y = _mm512_maskz_rsqrt14_pd(0xff, a);
     const V h = fnma(a * y, y, set(1.));
-    V       p = fma(h, set(35. / 128.), set(5. / 16.));
+    V p       = fma(h, set(35. / 128.), set(5. / 16.));
     p         = fma(h, p, set(3. / 8.));
     p         = fma(h, p, set(1. / 2.));
     return fma(y * h, p, y);

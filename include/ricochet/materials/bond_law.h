@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What every peridynamic bond law is made of. A law is a policy struct whose formulas are inlined into the lattice
-// kernel (T = a SIMD vector) and into the family-by-family reference (T = double). This header and the laws must stay
-// free of library headers: they are compiled once per instruction set.
+// What every peridynamic bond law is made of. A law is a policy struct whose formulas are inlined
+// into the lattice kernel (T = a SIMD vector) and into the family-by-family reference (T = double).
+// This header and the laws must stay free of library headers: they are compiled once per
+// instruction set.
 #pragma once
 
 namespace ricochet

@@ -5,6 +5,6 @@
 #include "ricochet/materials/linear_peridynamic_solid.h"
 #include "ricochet/materials/microelastic_brittle.h"
 
-#define RICOCHET_BOND_LAWS(LAW) \
-  LAW(LinearPeridynamicSolid)   \
+#define RICOCHET_BOND_LAWS(LAW)                                                                    \
+  LAW(LinearPeridynamicSolid)                                                                      \
   LAW(MicroelasticBrittle)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The bond laws as seen by everything that is not a kernel: chosen by name, one bond at a time, in doubles.
+// The bond laws as seen by everything that is not a kernel: chosen by name, one bond at a time, in
+// doubles.
 #pragma once
 
 #include "ricochet/materials/bond_law.h"
@@ -9,13 +10,14 @@
 
 namespace ricochet
 {
-/// One bond law with its formulas as plain functions; see materials/linear_peridynamic_solid.h for their meaning.
+/// One bond law with its formulas as plain functions; see materials/linear_peridynamic_solid.h for
+/// their meaning.
 struct BondLaw
 {
   const char *name;
-  int         index; // position in the menu, as the kernels number it
-  bool        has_dilatation;
-  bool        fixes_poisson_ratio;
+  int index; // position in the menu, as the kernels number it
+  bool has_dilatation;
+  bool fixes_poisson_ratio;
   BondConstants (*bond)(const FamilyConstants &, double length, double omega);
   double (*point_stiffness)(const FamilyConstants &);
   double (*tension)(const BondConstants &, double extension, double theta_sum); // [N]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Prototype microelastic brittle material, bond-based (Silling and Askari 2005, equations 21 to 26), calibrated on
-// the lattice instead of the full sphere:  t = c omega V^2 e / |xi|,  c = 18 K / sum omega |xi| V.
-// Poisson's ratio is 1/4 by construction: mu = 3K/5.
+// Prototype microelastic brittle material, bond-based (Silling and Askari 2005, equations 21 to
+// 26), calibrated on the lattice instead of the full sphere:  t = c omega V^2 e / |xi|,  c = 18 K /
+// sum omega |xi| V. Poisson's ratio is 1/4 by construction: mu = 3K/5.
 #pragma once
 
 #include "ricochet/materials/bond_law.h"
@@ -10,13 +10,14 @@ namespace ricochet
 {
 struct MicroelasticBrittle
 {
-  static constexpr const char *name                = "microelastic brittle";
-  static constexpr bool        has_dilatation      = false;
-  static constexpr bool        fixes_poisson_ratio = true;
+  static constexpr const char *name         = "microelastic brittle";
+  static constexpr bool has_dilatation      = false;
+  static constexpr bool fixes_poisson_ratio = true;
 
   static BondConstants bond(const FamilyConstants &f, const double length, const double omega)
   {
-    return {length, 0., 0., 0., 18. * f.bulk_modulus / f.first_moment * omega * f.volume * f.volume / length};
+    return {length, 0., 0., 0.,
+            18. * f.bulk_modulus / f.first_moment * omega * f.volume * f.volume / length};
   }
 
   static double point_stiffness(const FamilyConstants &) { return 0.; }

@@ -24,7 +24,6 @@ public:
   Parameters(const ParameterFile &file, std::vector<SectionDeclaration> sections);
 
   const std::vector<SectionDeclaration> &sections() const { return sections_; }
-  const dealii::ParameterHandler &handler() const { return handler_; }
 
   /// Whether the file or an override sets the entry to a value (that is not empty).
   bool is_given(const std::string &section, const std::string &name) const;

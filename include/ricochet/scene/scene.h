@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// All that a run is made of, as plain numbers in SI: what the parameter file says after it has been read and
-// checked. Axes: x along the plate and the flight, y across (the mirror plane is y = 0), z up; the first plate's
-// upper face is z = 0, its near edge x = 0.
+// All that a run is made of, as plain numbers in SI: what the parameter file says after it has been
+// read and checked. Axes: x along the plate and the flight, y across (the mirror plane is y = 0), z
+// up; the first plate's upper face is z = 0, its near edge x = 0.
 #pragma once
 
 #include "ricochet/contact/friction_law.h"
@@ -16,28 +16,28 @@ namespace ricochet
 struct MaterialParameters
 {
   std::string name;
-  std::string bond_model;       // one of the names in materials/bond_laws.h
-  double      density;          // rho [kg/m^3]
-  double      bulk_modulus;     // K [Pa]
-  double      shear_modulus;    // mu [Pa]
-  double      critical_stretch; // s_c [-]; 0: not given, derive from the energy release rate
-  double      energy_release;   // G_c [J/m^2]; 0: not given
+  std::string bond_model;  // one of the names in materials/bond_laws.h
+  double density;          // rho [kg/m^3]
+  double bulk_modulus;     // K [Pa]
+  double shear_modulus;    // mu [Pa]
+  double critical_stretch; // s_c [-]; 0: not given, derive from the energy release rate
+  double energy_release;   // G_c [J/m^2]; 0: not given
 };
 
 struct PlateParameters
 {
-  double            length, width, thickness; // [m]; width is the full one, also with the symmetry plane
-  double            gap;                      // distance to the plate above [m]
-  double            spacing;                  // dx [m]
-  double            horizon_ratio;            // m = delta/dx [-]
+  double length, width, thickness; // [m]; width is the full one, also with the symmetry plane
+  double gap;                      // distance to the plate above [m]
+  double spacing;                  // dx [m]
+  double horizon_ratio;            // m = delta/dx [-]
   InfluenceFunction influence_function;
-  std::string       material; // name of a MaterialParameters
+  std::string material; // name of a MaterialParameters
 };
 
 struct ProjectileParameters
 {
   BodyOfRevolution::Shape shape;
-  double                  mass; // [kg], of the whole projectile
+  double mass; // [kg], of the whole projectile
 };
 
 struct ImpactParameters
@@ -52,40 +52,40 @@ struct ImpactParameters
 
 struct ContactParameters
 {
-  double                stiffness_factor;       // k = factor * E * dx per point [-]
-  FrictionParameters    friction;               // projectile on plate
-  double                shank_resistance;       // A, target resistance on the shank [Pa]
-  double                shank_contact_fraction; // k, 0 switches shank friction off [-]
-  double                debris_factor;          // of the short-range stiffness 18 K/(pi delta^4), 0 switches off [-]
+  double stiffness_factor;       // k = factor * E * dx per point [-]
+  FrictionParameters friction;   // projectile on plate
+  double shank_resistance;       // A, target resistance on the shank [Pa]
+  double shank_contact_fraction; // k, 0 switches shank friction off [-]
+  double debris_factor; // of the short-range stiffness 18 K/(pi delta^4), 0 switches off [-]
 };
 
 struct TimeParameters
 {
   double end_time;      // the run ends here at the latest [s]
   double safety_factor; // dt = safety * 2/omega_max [-]
-  bool   stop_early;    // end when the outcome is decided
+  bool stop_early;      // end when the outcome is decided
   double free_time;     // free of contact this long counts as decided [s]
 };
 
 struct OutputParameters
 {
-  std::string directory;        // results folder
-  double      frame_interval;   // between point and surface files [s]; 0: none
-  double      history_interval; // between history rows [s]
-  bool        vtu;              // write files for ParaView
-  bool        pictures;         // draw PNGs at the end
+  std::string directory;   // results folder
+  double frame_interval;   // between point and surface files [s]; 0: none
+  double history_interval; // between history rows [s]
+  bool vtu;                // write files for ParaView
+  bool pictures;           // draw PNGs at the end
 };
 
 struct Scene
 {
-  std::string                     title;
-  bool                            symmetric; // mirror plane y = 0: only y > 0 is modelled
-  ProjectileParameters            projectile;
-  ImpactParameters                impact;
-  std::vector<PlateParameters>    plates; // from top to bottom
+  std::string title;
+  bool symmetric; // mirror plane y = 0: only y > 0 is modelled
+  ProjectileParameters projectile;
+  ImpactParameters impact;
+  std::vector<PlateParameters> plates; // from top to bottom
   std::vector<MaterialParameters> materials;
-  ContactParameters               contact;
-  TimeParameters                  time;
-  OutputParameters                output;
+  ContactParameters contact;
+  TimeParameters time;
+  OutputParameters output;
 };
 } // namespace ricochet

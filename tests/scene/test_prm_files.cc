@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Every parameter file of the project is read: scenes as scenes, studies as studies.
+#include "ricochet/scene/scene_reader.h"
+#include "ricochet/scene/study_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace ricochet
+{
+namespace
+{
+const std::filesystem::path prm_folder = std::filesystem::path(RICOCHET_SOURCE_DIR) / "prm";
+
+bool is_study(const std::string &path)
+{
+  const auto sections = ParameterFile(path).sections();
+  return std::any_of(sections.begin(), sections.end(),
+                     [](const auto &section) { return section.name == "Study"; });
+}
+
+TEST(PrmFiles, EveryFileIsReadWithoutError)
+{
+  unsigned int n_scenes = 0, n_studies = 0;
+  for (const auto &entry : std::filesystem::recursive_directory_iterator(prm_folder))
+    if (entry.path().extension() == ".prm")
+    {
+      const std::string path = entry.path().string();
+      if (is_study(path))
+      {
+        ++n_studies;
+        EXPECT_NO_THROW(read_study(path)) << path;
+      }
+      else
+      {
+        ++n_scenes;
+        EXPECT_NO_THROW(read_scene(ParameterFile(path))) << path;
+      }
+    }
+  EXPECT_GE(n_scenes, 8U); // quickstart and the single plate
+  EXPECT_GE(n_studies, 1U);
+}
+
+TEST(PrmFiles, SinglePlateSeriesChangesOneThingPerFile)
+{
+  const auto scene = [](const std::string &name)
+  { return read_scene(ParameterFile((prm_folder / "single_plate" / (name + ".prm")).string())); };
+  const Scene base = scene("base");
+  for (const int angle : {10, 20, 45, 60})
+  {
+    const Scene other = scene("angle_" + std::to_string(angle));
+    EXPECT_NEAR(other.impact.incidence_angle, angle * 3.14159265358979 / 180., 1e-12);
+    EXPECT_EQ(other.impact.speed, base.impact.speed);
+    EXPECT_EQ(other.materials[0].critical_stretch, base.materials[0].critical_stretch);
+  }
+  for (const int speed : {500, 800})
+  {
+    const Scene other = scene("speed_" + std::to_string(speed));
+    EXPECT_DOUBLE_EQ(other.impact.speed, speed);
+    EXPECT_EQ(other.impact.incidence_angle, base.impact.incidence_angle);
+    EXPECT_EQ(other.materials[0].critical_stretch, base.materials[0].critical_stretch);
+  }
+}
+
+TEST(PrmFiles, SinglePlateStudyHasAllCasesOnTwoGrids)
+{
+  const StudyParameters study = read_study((prm_folder / "single_plate" / "study.prm").string());
+  EXPECT_EQ(study.scenes.size(), 7U);
+  EXPECT_EQ(study.cases.size(), 14U);
+  EXPECT_EQ(study.cases[2].name, "angle_10__grid_spacing_1.5_mm");
+}
+} // namespace
+} // namespace ricochet

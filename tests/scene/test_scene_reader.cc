@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/scene/scene_reader.h"
+
+#include "ricochet/scene/declarations.h"
+#include "scene_text.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace ricochet::tests
+{
+namespace
+{
+Scene read_with(const std::vector<std::string> &overrides)
+{
+  return read_scene(scene_with(overrides));
+}
+
+void expect_scene_error(const std::vector<std::string> &overrides,
+                        const std::vector<std::string> &parts)
+{
+  expect_error([&] { read_with(overrides); }, parts);
+}
+
+void expect_text_error(const std::string &text, const std::vector<std::string> &parts)
+{
+  expect_error([&] { read_scene(ParameterFile::from_text(text, "scene.prm")); }, parts);
+}
+
+TEST(SceneReader, ValuesArriveInSi)
+{
+  const Scene scene = read_with({});
+  EXPECT_EQ(scene.title, "Test");
+  EXPECT_EQ(scene.projectile.shape.nose, NoseShape::ogive);
+  EXPECT_DOUBLE_EQ(scene.projectile.shape.diameter, 6e-3);
+  EXPECT_DOUBLE_EQ(scene.projectile.shape.length, 28e-3);
+  EXPECT_DOUBLE_EQ(scene.projectile.shape.nose_length, 10e-3);
+  EXPECT_DOUBLE_EQ(scene.projectile.mass, 5e-3);
+  EXPECT_DOUBLE_EQ(scene.impact.speed, 720.);
+  EXPECT_DOUBLE_EQ(scene.impact.incidence_angle, M_PI / 6.);
+  EXPECT_DOUBLE_EQ(scene.impact.entry_x, 50e-3);
+  EXPECT_EQ(scene.impact.entry_y, 0.);
+  ASSERT_EQ(scene.plates.size(), 1U);
+  EXPECT_DOUBLE_EQ(scene.plates[0].length, 0.2);
+  EXPECT_DOUBLE_EQ(scene.plates[0].width, 0.1);
+  EXPECT_DOUBLE_EQ(scene.plates[0].thickness, 0.03);
+  EXPECT_DOUBLE_EQ(scene.plates[0].spacing, 2e-3);
+  EXPECT_EQ(scene.plates[0].material, "PMMA");
+  ASSERT_EQ(scene.materials.size(), 1U);
+  EXPECT_EQ(scene.materials[0].name, "PMMA");
+  EXPECT_DOUBLE_EQ(scene.materials[0].density, 1190.);
+  EXPECT_DOUBLE_EQ(scene.materials[0].bulk_modulus, 5.9e9);
+  EXPECT_DOUBLE_EQ(scene.materials[0].shear_modulus, 2.258e9);
+  EXPECT_DOUBLE_EQ(scene.materials[0].critical_stretch, 0.01);
+  EXPECT_EQ(scene.materials[0].energy_release, 0.);
+  EXPECT_EQ(scene.contact.friction.law, "exponential");
+  EXPECT_DOUBLE_EQ(scene.contact.friction.static_coefficient, 0.5);
+  EXPECT_DOUBLE_EQ(scene.contact.friction.kinetic_coefficient, 0.05);
+  EXPECT_DOUBLE_EQ(scene.contact.friction.decay, 0.01);
+  EXPECT_DOUBLE_EQ(scene.time.end_time, 450e-6);
+}
+
+TEST(SceneReader, DefaultsAreFilledIn)
+{
+  const Scene scene = read_with({"Title="});
+  EXPECT_EQ(scene.title, "scene");
+  EXPECT_TRUE(scene.symmetric);
+  EXPECT_EQ(scene.impact.attack_angle, 0.);
+  EXPECT_DOUBLE_EQ(scene.impact.clearance, 0.05e-3);
+  EXPECT_EQ(scene.plates[0].horizon_ratio, 3.);
+  EXPECT_EQ(scene.plates[0].influence_function, InfluenceFunction::cone);
+  EXPECT_EQ(scene.plates[0].gap, 0.);
+  EXPECT_EQ(scene.materials[0].bond_model, "linear peridynamic solid");
+  EXPECT_EQ(scene.contact.stiffness_factor, 1.);
+  EXPECT_EQ(scene.contact.friction.regularisation_speed, 5.);
+  EXPECT_DOUBLE_EQ(scene.contact.shank_resistance, 500e6);
+  EXPECT_DOUBLE_EQ(scene.contact.shank_contact_fraction, 0.4);
+  EXPECT_EQ(scene.contact.debris_factor, 15.);
+  EXPECT_DOUBLE_EQ(scene.time.safety_factor, 0.8);
+  EXPECT_TRUE(scene.time.stop_early);
+  EXPECT_DOUBLE_EQ(scene.time.free_time, 5e-6);
+  EXPECT_EQ(scene.output.directory, "output/scene");
+  EXPECT_DOUBLE_EQ(scene.output.frame_interval, 20e-6);
+  EXPECT_DOUBLE_EQ(scene.output.history_interval, 1e-6);
+  EXPECT_TRUE(scene.output.vtu);
+  EXPECT_TRUE(scene.output.pictures);
+}
+
+TEST(SceneReader, OptionalEntriesAreRead)
+{
+  const Scene scene = read_with(
+      {"Symmetric=false", "Impact/Attack angle=-3 deg", "Impact/Entry point=50 mm, -3 mm",
+       "Impact/Clearance=0.1 mm", "Plate 1/Influence function=inverse",
+       "Plate 1/Horizon ratio=4.01", "Contact/Stiffness factor=2",
+       "Contact/Debris stiffness factor=0", "Contact/Shank contact fraction=0",
+       "Contact/Shank resistance=0 Pa", "Contact/Regularisation speed=1 m/s",
+       "Time/Safety factor=0.5", "Time/Stop early=false", "Time/Free time=9 us",
+       "Output/Directory=there", "Output/Frame interval=0 us", "Output/History interval=2 us",
+       "Output/ParaView files=false", "Output/Pictures=false"});
+  EXPECT_FALSE(scene.symmetric);
+  EXPECT_DOUBLE_EQ(scene.impact.attack_angle, -M_PI / 60.);
+  EXPECT_DOUBLE_EQ(scene.impact.entry_y, -3e-3);
+  EXPECT_DOUBLE_EQ(scene.impact.clearance, 0.1e-3);
+  EXPECT_EQ(scene.plates[0].influence_function, InfluenceFunction::inverse);
+  EXPECT_DOUBLE_EQ(scene.plates[0].horizon_ratio, 4.01);
+  EXPECT_EQ(scene.contact.stiffness_factor, 2.);
+  EXPECT_EQ(scene.contact.debris_factor, 0.);
+  EXPECT_EQ(scene.contact.shank_contact_fraction, 0.);
+  EXPECT_EQ(scene.contact.shank_resistance, 0.);
+  EXPECT_EQ(scene.contact.friction.regularisation_speed, 1.);
+  EXPECT_DOUBLE_EQ(scene.time.safety_factor, 0.5);
+  EXPECT_FALSE(scene.time.stop_early);
+  EXPECT_DOUBLE_EQ(scene.time.free_time, 9e-6);
+  EXPECT_EQ(scene.output.directory, "there");
+  EXPECT_EQ(scene.output.frame_interval, 0.);
+  EXPECT_DOUBLE_EQ(scene.output.history_interval, 2e-6);
+  EXPECT_FALSE(scene.output.vtu);
+  EXPECT_FALSE(scene.output.pictures);
+}
+
+TEST(SceneReader, PlatesAreInOrderOfTheirNumbers)
+{
+  const std::string plate = "set Size = 100 mm, 100 mm, 20 mm\nset Grid spacing = 2 mm\n"
+                            "set Material = PMMA\nend\n";
+  const Scene scene       = read_scene(
+            ParameterFile::from_text("subsection Plate 3\nset Gap = 3 mm\n" + plate +
+                                         "subsection Plate 2\nset Gap = 2 mm\n" + plate + scene_text,
+                                     "scene.prm"));
+  ASSERT_EQ(scene.plates.size(), 3U);
+  EXPECT_EQ(scene.plates[0].gap, 0.);
+  EXPECT_DOUBLE_EQ(scene.plates[1].gap, 2e-3);
+  EXPECT_DOUBLE_EQ(scene.plates[2].gap, 3e-3);
+}
+
+TEST(SceneReader, PlateNumbersHaveNoHoles)
+{
+  expect_text_error(scene_text + "subsection Plate 3\nend\n",
+                    {"scene.prm:34", "'Plate 3'", "no 'Plate 2'", "1, 2, 3"});
+}
+
+TEST(SceneReader, YoungsModulusAndPoissonsRatioGiveTheModuli)
+{
+  const Scene scene =
+      read_with({"Material PMMA/Bulk modulus=", "Material PMMA/Shear modulus=",
+                 "Material PMMA/Young's modulus=6 GPa", "Material PMMA/Poisson's ratio=0.2"});
+  EXPECT_DOUBLE_EQ(scene.materials[0].bulk_modulus, 6e9 / 1.8);  // E / (3 (1 - 2 nu))
+  EXPECT_DOUBLE_EQ(scene.materials[0].shear_modulus, 6e9 / 2.4); // E / (2 (1 + nu))
+}
+
+TEST(SceneReader, PoissonsRatioOfAnUnstableSolidIsRejected)
+{
+  for (const std::string nu : {"0.5", "-1", "0.7"})
+    expect_scene_error({"Material PMMA/Bulk modulus=", "Material PMMA/Shear modulus=",
+                        "Material PMMA/Young's modulus=6 GPa",
+                        "Material PMMA/Poisson's ratio=" + nu},
+                       {"command line", "Poisson's ratio = '" + nu + "'", "between -1 and 0.5"});
+}
+
+TEST(SceneReader, BondModelThatFixesPoissonsRatioNeedsFittingModuli)
+{
+  const std::string model = "Material PMMA/Bond model=microelastic brittle";
+  expect_scene_error({model}, {"command line", "0.25", "0.330"});
+  const Scene scene = read_with({model, "Material PMMA/Shear modulus=3.54 GPa"}); // 0.6 * 5.9
+  EXPECT_EQ(scene.materials[0].bond_model, "microelastic brittle");
+}
+
+TEST(SceneReader, OnePairOfModuliIsGiven)
+{
+  expect_scene_error({"Material PMMA/Young's modulus=6 GPa"},
+                     {"'Material PMMA/Young's modulus'", "so is 'Shear modulus'", "scene.prm:22"});
+  expect_scene_error({"Material PMMA/Bulk modulus=", "Material PMMA/Shear modulus="},
+                     {"2 entries", "set Bulk modulus", "set Shear modulus", "or: set Young's"});
+  expect_scene_error({"Material PMMA/Shear modulus="},
+                     {"missing", "set Shear modulus = 2.258 GPa"});
+}
+
+TEST(SceneReader, OneFractureCriterionIsGiven)
+{
+  expect_scene_error({"Material PMMA/Energy release rate=500 J/m2"},
+                     {"command line", "'Critical stretch' (scene.prm:23)", "Keep one"});
+  expect_scene_error({"Material PMMA/Critical stretch="},
+                     {"set Critical stretch", "or: set Energy release rate = 500 J/m2"});
+  const Scene scene =
+      read_with({"Material PMMA/Critical stretch=", "Material PMMA/Energy release rate=0.5 kJ/m2"});
+  EXPECT_EQ(scene.materials[0].critical_stretch, 0.);
+  EXPECT_DOUBLE_EQ(scene.materials[0].energy_release, 500.);
+}
+
+TEST(SceneReader, CaliberRadiusHeadGivesTheNoseLength)
+{
+  const Scene scene = read_with({"Projectile/Nose length=", "Projectile/Caliber radius head=3"});
+  // A tangent ogive: l = d sqrt(CRH - 1/4).
+  EXPECT_DOUBLE_EQ(scene.projectile.shape.nose_length, 6e-3 * std::sqrt(2.75));
+  expect_scene_error({"Projectile/Caliber radius head=3"}, {"'Nose length' (scene.prm:6)"});
+  expect_scene_error({"Projectile/Nose length="},
+                     {"set Nose length", "or: set Caliber radius head = 3"});
+  expect_scene_error({"Projectile/Nose length=", "Projectile/Caliber radius head=0.4"},
+                     {"'0.4'", "0.5"});
+}
+
+TEST(SceneReader, OnlyOgiveAndConeHaveANoseLength)
+{
+  expect_scene_error({"Projectile/Nose shape=flat"},
+                     {"scene.prm:6", "Nose length", "'flat'", "Remove"});
+  expect_scene_error(
+      {"Projectile/Nose shape=cone", "Projectile/Nose length=", "Projectile/Caliber radius head=3"},
+      {"missing", "set Nose length"});
+  expect_scene_error({"Projectile/Nose shape=cone", "Projectile/Caliber radius head=3"},
+                     {"command line", "Caliber radius head", "'cone'"});
+  EXPECT_DOUBLE_EQ(read_with({"Projectile/Nose shape=hemisphere", "Projectile/Nose length="})
+                       .projectile.shape.nose_length,
+                   3e-3); // half the diameter
+}
+
+TEST(SceneReader, DensityTimesVolumeGivesTheMass)
+{
+  const Scene scene =
+      read_with({"Projectile/Nose shape=flat",
+                 "Projectile/Nose length=", "Projectile/Mass=", "Projectile/Density=7850 kg/m3"});
+  const double volume = M_PI * 3e-3 * 3e-3 * 28e-3;                                  // a cylinder
+  EXPECT_NEAR(scene.projectile.mass, 7850. * volume, 1e-12 * scene.projectile.mass); // rounding
+  expect_scene_error({"Projectile/Density=7850 kg/m3"}, {"'Mass' (scene.prm:7)", "Keep one"});
+  expect_scene_error({"Projectile/Mass="}, {"set Mass = 5.25 g", "or: set Density"});
+}
+
+TEST(SceneReader, ImpossibleProjectileIsRejected)
+{
+  expect_scene_error({"Projectile/Nose length=30 mm"}, {"command line", "longer", "'Projectile'"});
+  expect_scene_error({"Projectile/Nose length=2 mm"}, {"command line", "ogive", "'Projectile'"});
+}
+
+TEST(SceneReader, HorizonIsAtLeastTwoSpacings)
+{
+  expect_scene_error({"Plate 1/Horizon ratio=1.9"},
+                     {"command line", "'1.9'", "A horizon under 2 spacings", "2 or more"});
+  EXPECT_EQ(read_with({"Plate 1/Horizon ratio=2"}).plates[0].horizon_ratio, 2.);
+}
+
+TEST(SceneReader, PlateIsNotThinnerThanItsHorizon)
+{
+  expect_scene_error({"Plate 1/Horizon ratio=6", "Plate 1/Size=200 mm, 100 mm, 11 mm"},
+                     {"command line", "thinner than its horizon, 12 mm", "1.83 mm or less"});
+  const Scene scene = read_with({"Plate 1/Horizon ratio=6", "Plate 1/Size=200 mm, 100 mm, 12 mm"});
+  EXPECT_DOUBLE_EQ(scene.plates[0].thickness, 0.012);
+}
+
+TEST(SceneReader, AtLeastFourPointsAlongEachAxis)
+{
+  expect_scene_error({"Plate 1/Size=200 mm, 100 mm, 6 mm"},
+                     {"scene.prm:16", "thickness of 6 mm holds 3 points", "1.5 mm or less"});
+  expect_scene_error({"Plate 1/Size=200 mm, 12 mm, 30 mm"}, {"half width of 6 mm holds 3 points"});
+  expect_scene_error({"Plate 1/Size=6 mm, 100 mm, 30 mm"}, {"length of 6 mm holds 3 points"});
+  EXPECT_DOUBLE_EQ(
+      read_with({"Symmetric=false", "Plate 1/Size=200 mm, 12 mm, 30 mm"}).plates[0].width, 0.012);
+}
+
+TEST(SceneReader, MorePointsThanCanBeNumberedAreRejected)
+{
+  expect_scene_error({"Plate 1/Grid spacing=20 um"}, {"3.75e+10 points", "2e+09"});
+}
+
+TEST(SceneReader, FirstPlateHasNoGap)
+{
+  expect_scene_error({"Plate 1/Gap=1 mm"}, {"command line", "no plate above"});
+}
+
+TEST(SceneReader, MaterialOfAPlateExists)
+{
+  expect_scene_error({"Plate 1/Material=PMA"},
+                     {"command line", "'Material PMA'", "did you mean 'PMMA'?"});
+}
+
+TEST(SceneReader, AnglesAreInTheirRange)
+{
+  expect_scene_error({"Impact/Incidence angle=90.1 deg"}, {"'90.1 deg'", "at most 90 deg"});
+  expect_scene_error({"Impact/Incidence angle=0 deg"}, {"'0 deg'", "above 0"});
+  expect_scene_error({"Impact/Attack angle=90 deg"}, {"'90 deg'", "between -90 deg and 90 deg"});
+  EXPECT_DOUBLE_EQ(read_with({"Impact/Incidence angle=90 deg"}).impact.incidence_angle, M_PI / 2.);
+}
+
+TEST(SceneReader, EntryPointIsOnThePlate)
+{
+  expect_scene_error({"Impact/Entry point=201 mm, 0 mm"},
+                     {"not on the first plate", "0 mm and 200 mm", "-50 mm and 50 mm"});
+  expect_scene_error({"Impact/Entry point=-1 mm, 0 mm"}, {"not on the first plate"});
+  expect_scene_error({"Symmetric=false", "Impact/Entry point=50 mm, 51 mm"},
+                     {"not on the first plate"});
+}
+
+TEST(SceneReader, SymmetricModelIsHitInItsMidPlane)
+{
+  expect_scene_error({"Impact/Entry point=50 mm, 1 mm"},
+                     {"command line", "y = 0 mm", "'set Symmetric = false'"});
+}
+
+TEST(SceneReader, SafetyFactorIsAtMostOne)
+{
+  expect_scene_error({"Time/Safety factor=1.1"}, {"'1.1'", "not above 1"});
+}
+
+TEST(SceneReader, FrictionNeedsWhatItsLawReads)
+{
+  expect_scene_error({"Contact/Kinetic friction=", "Contact/Friction decay="},
+                     {"2 entries", "set Kinetic friction", "set Friction decay"});
+  EXPECT_EQ(read_with({"Contact/Friction law=constant",
+                       "Contact/Kinetic friction=", "Contact/Friction decay="})
+                .contact.friction.law,
+            "constant");
+}
+
+TEST(SceneReader, NamesOutsideTheMenusShowTheMenu)
+{
+  expect_scene_error({"Plate 1/Influence function=kone"},
+                     {"'kone'", "did you mean 'cone'?", "gaussian"});
+  expect_scene_error({"Contact/Friction law=coulomb"}, {"'coulomb'", "exponential or constant"});
+  expect_scene_error({"Material PMMA/Bond model=linear"},
+                     {"'linear'", "linear peridynamic solid", "microelastic brittle"});
+  expect_scene_error({"Projectile/Nose shape=ogiv"}, {"did you mean 'ogive'?", "hemisphere"});
+  expect_scene_error({"Symmetric=yes"}, {"'yes'", "true or false"});
+}
+
+TEST(SceneReader, WrongValueNamesLineValueAndExpectedForm)
+{
+  expect_text_error("subsection Impact\n  set Speed = 720\nend\n",
+                    {"scene.prm:2", "Impact/Speed = '720'", "The unit is missing.",
+                     "Expected: a speed above 0 in m/s", "for example '720 m/s'"});
+  expect_scene_error({"Plate 1/Grid spacing=1 us"},
+                     {"command line", "'us' is a unit of time", "a length above 0"});
+}
+
+TEST(SceneReader, UnknownEntrySuggestsTheNearestOne)
+{
+  expect_text_error("subsection Impact\n  set Sped = 720 m/s\nend\n",
+                    {"scene.prm:2", "'Sped'", "section 'Impact'", "did you mean 'Speed'?"});
+  expect_text_error("set title = x\n", {"scene.prm:1", "did you mean 'Title'?"});
+}
+
+TEST(SceneReader, EntryOfAnotherSectionIsSentHome)
+{
+  expect_scene_error({"Impact/Diameter=6 mm"},
+                     {"section 'Impact'", "did you mean 'Projectile/Diameter'?"});
+  expect_scene_error({"Speed=720 m/s"}, {"outside the sections", "did you mean 'Impact/Speed'?"});
+}
+
+TEST(SceneReader, UnknownSectionSuggestsTheNearestOne)
+{
+  expect_text_error("\nsubsection Projektile\nend\n",
+                    {"scene.prm:2", "'Projektile'", "did you mean 'Projectile'?", "Contact"});
+  expect_text_error("subsection Plate one\nend\n", {"did you mean 'Plate 1'?"});
+}
+
+TEST(SceneReader, OverrideDoesNotInventPlatesOrMaterials)
+{
+  expect_scene_error({"Plate 2/Grid spacing=1 mm"},
+                     {"command line", "'Plate 2'", "did you mean 'Plate 1'?"});
+  expect_scene_error({"Material PMAM/Density=1190 kg/m3"}, {"did you mean 'Material PMMA'?"});
+}
+
+TEST(SceneReader, AllMissingEntriesAreListedAtOnce)
+{
+  expect_text_error("subsection Plate 1\n  set Material = steel\nend\n",
+                    {"scene.prm: 16 entries", "subsection Projectile\n    set Nose shape = ogive\n",
+                     "set Diameter = 6.17 mm\n", "set Speed = 720 m/s\n",
+                     "set Size = 200 mm, 100 mm, 30 mm\n", "subsection Material steel\n",
+                     "set Final time = 450 us\n  end", "ricochet template"});
+}
+
+TEST(SceneReader, StudyIsNotAScene)
+{
+  expect_text_error("subsection Study\nend\n", {"scene.prm:1", "'ricochet study'"});
+}
+
+void expect_equal(const Scene &a, const Scene &b)
+{
+  EXPECT_EQ(a.title, b.title);
+  EXPECT_EQ(a.symmetric, b.symmetric);
+  EXPECT_EQ(a.projectile.shape.nose, b.projectile.shape.nose);
+  EXPECT_EQ(a.projectile.shape.nose_length, b.projectile.shape.nose_length);
+  EXPECT_EQ(a.projectile.mass, b.projectile.mass);
+  EXPECT_EQ(a.impact.speed, b.impact.speed);
+  EXPECT_EQ(a.impact.incidence_angle, b.impact.incidence_angle);
+  EXPECT_EQ(a.impact.attack_angle, b.impact.attack_angle);
+  EXPECT_EQ(a.impact.entry_x, b.impact.entry_x);
+  EXPECT_EQ(a.impact.clearance, b.impact.clearance);
+  ASSERT_EQ(a.plates.size(), b.plates.size());
+  EXPECT_EQ(a.plates[0].thickness, b.plates[0].thickness);
+  EXPECT_EQ(a.plates[0].spacing, b.plates[0].spacing);
+  EXPECT_EQ(a.plates[0].influence_function, b.plates[0].influence_function);
+  ASSERT_EQ(a.materials.size(), b.materials.size());
+  EXPECT_EQ(a.materials[0].bulk_modulus, b.materials[0].bulk_modulus);
+  EXPECT_EQ(a.materials[0].shear_modulus, b.materials[0].shear_modulus);
+  EXPECT_EQ(a.materials[0].energy_release, b.materials[0].energy_release);
+  EXPECT_EQ(a.contact.friction.law, b.contact.friction.law);
+  EXPECT_EQ(a.contact.friction.decay, b.contact.friction.decay);
+  EXPECT_EQ(a.contact.debris_factor, b.contact.debris_factor);
+  EXPECT_EQ(a.time.end_time, b.time.end_time);
+  EXPECT_EQ(a.time.stop_early, b.time.stop_early);
+  EXPECT_EQ(a.output.directory, b.output.directory);
+  EXPECT_EQ(a.output.pictures, b.output.pictures);
+}
+
+TEST(UsedParameters, ReadAgainGiveTheSameScene)
+{
+  const auto file =
+      scene_with({"Projectile/Nose length=", "Projectile/Caliber radius head=3",
+                  "Projectile/Mass=", "Projectile/Density=7.85 g/cm3",
+                  "Material PMMA/Bulk modulus=", "Material PMMA/Shear modulus=",
+                  "Material PMMA/Young's modulus=6 GPa", "Material PMMA/Poisson's ratio=0.3",
+                  "Material PMMA/Critical stretch=", "Material PMMA/Energy release rate=500 J/m2",
+                  "Plate 1/Influence function=gaussian", "Output/Pictures=false"});
+  std::ostringstream used;
+  write_used_parameters(file, used);
+  // Another file name, so that a default that depends on it would show.
+  expect_equal(read_scene(file), read_scene(ParameterFile::from_text(used.str(), "used.prm")));
+}
+
+TEST(UsedParameters, KeepUnitsAndMarkDefaults)
+{
+  std::ostringstream used;
+  write_used_parameters(scene_with({}), used);
+  const std::string text = used.str();
+  EXPECT_NE(text.find("set Speed           = 0.72 mm/us\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("set Attack angle    = 0 deg # default\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("set Directory        = output/scene # default\n"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("Caliber radius head"), std::string::npos) << text;
+}
+
+TEST(Template, DescribesACompleteScene)
+{
+  std::ostringstream text;
+  print_template(text);
+  const Scene scene = read_scene(ParameterFile::from_text(text.str(), "mine.prm"));
+  EXPECT_EQ(scene.plates.size(), 1U);
+  EXPECT_DOUBLE_EQ(scene.impact.speed, 720.);
+  EXPECT_EQ(scene.output.directory, "output/mine");
+}
+
+TEST(Template, EveryEntryHasACommentAboveIt)
+{
+  std::ostringstream out;
+  print_template(out);
+  std::istringstream text(out.str());
+  std::string line, last;
+  unsigned int n_entries = 0;
+  while (std::getline(text, line))
+  {
+    if (line.find("set ") != std::string::npos && line.find(" = ") != std::string::npos)
+    {
+      ++n_entries;
+      EXPECT_NE(last.find('#'), std::string::npos) << line;
+      EXPECT_EQ(last.back(), '.') << last;
+    }
+    EXPECT_LE(line.size(), 100U) << line;
+    last = line;
+  }
+  std::size_t n_declared = 0;
+  for (const auto &section : scene_declarations("mine", 1, {"PMMA"}))
+    n_declared += section.entries.size();
+  EXPECT_EQ(n_entries, n_declared);
+}
+} // namespace
+} // namespace ricochet::tests
