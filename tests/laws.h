@@ -7,6 +7,8 @@
 #include "ricochet/materials/bond_laws.h"
 #include "ricochet/materials/influence_function.h"
 
+#include <cctype>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,11 @@ struct FamilySample
   InfluenceFunction influence_function;
   double            horizon_ratio;
 };
+
+inline std::ostream &operator<<(std::ostream &out, const FamilySample &sample)
+{
+  return out << sample.law.law << ", horizon ratio " << sample.horizon_ratio;
+}
 
 /// Every law with every influence function; 2.5 keeps blocks small and has a reach of 2 for all.
 inline std::vector<FamilySample> family_samples()

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -73,8 +74,8 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
   nlohmann::ordered_json result;
   result["instruction_set"]                          = body.kernel().instruction_set;
   result["bond_model"]                               = law.name;
-  result["points"]                                   = points;
-  result["directed_bonds"]                           = 2. * bonds;
+  result["points"]                                   = std::llround(points);
+  result["directed_bonds"]                           = std::llround(2. * bonds);
   result["ranks"]                                    = n_ranks;
   result["steps"]                                    = steps * options.repeats;
   result["directed_bonds_per_second_per_core"]       = rates[rates.size() / 2];

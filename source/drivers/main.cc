@@ -13,7 +13,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <csignal>
 #include <iostream>
+#include <sstream>
 #include <xmmintrin.h>
 
 namespace
@@ -115,6 +117,8 @@ int main(int argc, char **argv)
   // Debris and quiet regions drift into denormal numbers, on which the processor is a hundred times
   // slower.
   _mm_setcsr(_mm_getcsr() | 0x8040);
+  // A file size limit should be a write error with a message, not a kill.
+  std::signal(SIGXFSZ, SIG_IGN);
 
   CLI::App app("ricochet: oblique impact and penetration with peridynamics");
   Arguments arguments;

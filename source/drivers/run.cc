@@ -237,7 +237,6 @@ private:
 
   nlohmann::ordered_json finish(const Verdict &verdict, const bool failed)
   {
-    history_->close();
     const auto &motion        = simulation_.projectile().motion();
     const auto momenta        = simulation_.momenta();
     const double core_seconds = elapsed() * n_ranks_;
@@ -261,9 +260,9 @@ private:
     s["momentum_drift"]         = drift(momenta.linear, start_momenta_.linear);
     s["angular_momentum_drift"] = drift(momenta.angular, start_momenta_.angular);
     s["deepest_penetration_dx"] = deepest_;
-    s["broken_bonds"]           = broken_bonds_;
-    s["points"]                 = n_points_;
-    s["bonds"]                  = n_bonds_;
+    s["broken_bonds"]           = std::llround(broken_bonds_);
+    s["points"]                 = std::llround(n_points_);
+    s["bonds"]                  = std::llround(n_bonds_);
     s["steps"]                  = simulation_.step();
     s["time_step_us"]           = simulation_.dt() / us;
     s["ranks"]                  = n_ranks_;
@@ -274,6 +273,7 @@ private:
     s["failed"]                 = failed;
     s["version"]                = RICOCHET_VERSION;
     write_summary(communicator_, directory_, s);
+    history_->close();
     return s;
   }
 

@@ -70,6 +70,16 @@ void extend(Box &box, const Box &other)
   }
 }
 
+void extend_by_image(Box &box)
+{
+  if (!is_empty(box))
+    {
+      const double low = box.first.y(), high = box.second.y();
+      box.first.y()    = std::min(low, -high);
+      box.second.y()   = std::max(high, -low);
+    }
+}
+
 bool inside(const Box &box, const Vector3 &x, const double margin)
 {
   return (x.array() >= box.first.array() - margin).all() &&

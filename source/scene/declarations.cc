@@ -119,7 +119,8 @@ SectionDeclaration impact()
        with_default("Attack angle", quantity(Dimension::angle, Limit::any), "0 deg",
                     "Angle between the projectile's axis and its velocity, nose up positive"),
        required("Entry point", quantity(Dimension::length, Limit::any, {"x", "y"}), "50 mm, 0 mm",
-                "Where the velocity meets the plate, from the near edge and from the mid-plane"),
+                "Where the projectile touches the plate first, from the near edge and from the "
+                "mid-plane"),
        with_default("Clearance", quantity(Dimension::length, Limit::not_negative), "0.05 mm",
                     "Distance between the projectile's lowest point and the plate at the "
                     "start")},

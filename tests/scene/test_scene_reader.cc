@@ -76,7 +76,7 @@ TEST(SceneReader, DefaultsAreFilledIn)
   EXPECT_DOUBLE_EQ(scene.contact.shank_resistance, 500e6);
   EXPECT_DOUBLE_EQ(scene.contact.shank_contact_fraction, 0.4);
   EXPECT_EQ(scene.contact.debris_factor, 15.);
-  EXPECT_DOUBLE_EQ(scene.time.safety_factor, 0.8);
+  EXPECT_DOUBLE_EQ(scene.time.safety_factor, 0.7);
   EXPECT_TRUE(scene.time.stop_early);
   EXPECT_DOUBLE_EQ(scene.time.free_time, 5e-6);
   EXPECT_EQ(scene.output.directory, "output/scene");

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What one picture in time consists of, as plain arrays in SI: filled by the simulation, written by
+// the output floor.
+#pragma once
+
+#include "ricochet/geometry/vector.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace ricochet
+{
+/// The peridynamic points owned by this rank; all vectors have the same length.
+struct PointFrame
+{
+  std::vector<Vector3> position;     // current [m]
+  std::vector<Vector3> displacement; // [m]
+  std::vector<Vector3> velocity;     // [m/s]
+  std::vector<double> damage;        // broken share of the family, 0 to 1 [-]
+  std::vector<double> dilatation;    // theta [-]
+  std::vector<int> body;             // number of the plate, from 1
+  std::vector<char> in_section;      // 1 if the point lies in the layer next to the plane y = 0
+};
+
+/// A rigid projectile: closed surface of quadrilaterals (for ParaView) and its outline in the plane
+/// y = 0 (for the section picture); the same on all ranks.
+struct SurfaceFrame
+{
+  std::vector<Vector3> vertices;         // current [m]
+  std::vector<std::array<int, 4>> quads; // vertex numbers
+  std::vector<Vector3> outline;          // closed polygon [m]
+};
+} // namespace ricochet

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Pictures of a finished run, drawn by the script plot_run.py with Debian's python3, matplotlib and
+// h5py. A run is complete without them: whatever goes wrong here costs one line of text, never the
+// run.
+#pragma once
+
+#include <filesystem>
+#include <mpi.h>
+
+namespace ricochet
+{
+/// Draws DIRECTORY/section.png and DIRECTORY/history.png from the other results and returns whether
+/// that worked, the same on all ranks. Rank 0 runs the script in the folder named by the
+/// environment variable RICOCHET_SCRIPT_DIR, or else in the one compiled in, and says in one line
+/// what it drew (unless quiet) or why it could not. Collective.
+bool draw_pictures(MPI_Comm comm, const std::filesystem::path &directory, bool quiet);
+} // namespace ricochet

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The outcome of a run as one small JSON file for people, scripts and studies.
+#pragma once
+
+#include <filesystem>
+#include <mpi.h>
+#include <nlohmann/json_fwd.hpp>
+
+namespace ricochet
+{
+/// Writes DIRECTORY/summary.json, replacing an older one; the content of rank 0 counts. Numbers
+/// that are not finite become null. Collective; throws FileError on all ranks.
+void write_summary(MPI_Comm comm, const std::filesystem::path &directory,
+                   const nlohmann::ordered_json &summary);
+} // namespace ricochet

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/output/hdf5_file.h"
+
+#include "ricochet/base/exceptions.h"
+#include "ricochet/output/checked_file.h"
+
+#include <algorithm>
+#include <cassert>
+#include <hdf5.h>
+
+namespace ricochet
+{
+namespace
+{
+void check(const herr_t result, const std::string &what)
+{
+  if (result < 0)
+    throw FileError("HDF5 cannot " + what +
+                    ". Check the free memory; otherwise the HDF5 library is faulty.");
+}
+
+/// An HDF5 identifier and the function that gives it back.
+class Handle
+{
+public:
+  Handle(const hid_t id, herr_t (*close)(hid_t), const std::string &what) : id_(id), close_(close)
+  {
+    check(id < 0 ? -1 : 0, what);
+  }
+  ~Handle()
+  {
+    if (id_ >= 0)
+      close_(id_);
+  }
+  Handle(const Handle &)            = delete;
+  Handle &operator=(const Handle &) = delete;
+  operator hid_t() const { return id_; }
+
+private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+hid_t type_of(const double *)
+{
+  return H5T_NATIVE_DOUBLE;
+}
+hid_t type_of(const float *)
+{
+  return H5T_NATIVE_FLOAT;
+}
+hid_t type_of(const int *)
+{
+  return H5T_NATIVE_INT;
+}
+
+hid_t create_in_memory()
+{
+  // Failures become exceptions here; HDF5's own report on the terminal would only repeat them.
+  // H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create an access list");
+  check(H5Pset_fapl_core(access, /*increment=*/1 << 16, /*backing_store=*/false),
+        "select its memory driver");
+  static int n_files     = 0; // HDF5 refuses to open two files of one name, in memory as well
+  const std::string name = "in memory " + std::to_string(++n_files);
+  return H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+}
+
+void add_unit(const hid_t dataset, const std::string &unit)
+{
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a text type");
+  check(H5Tset_size(type, std::max<std::size_t>(unit.size(), 1)), "set the length of a unit");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "set the character set of a unit");
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create a scalar");
+  const Handle attribute(H5Acreate2(dataset, "unit", type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, "create the attribute unit");
+  check(H5Awrite(attribute, type, unit.c_str()), "write the attribute unit");
+}
+
+template <typename Number>
+void add_dataset(const hid_t file, const std::string &name, const std::vector<Number> &values,
+                 const std::size_t n_columns, const std::string &unit)
+{
+  assert(n_columns > 0 && values.size() % n_columns == 0);
+  const hsize_t n_rows  = values.size() / n_columns;
+  const hsize_t size[2] = {n_rows, n_columns};
+  const int rank        = n_columns > 1 ? 2 : 1;
+
+  const Handle space(H5Screate_simple(rank, size, nullptr), H5Sclose,
+                     "create the shape of " + name);
+  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create the layout of " + name);
+  if (n_rows > 1000)
+  {
+    const hsize_t chunk[2] = {std::min<hsize_t>(n_rows, 1 << 16), n_columns};
+    check(H5Pset_chunk(layout, rank, chunk), "cut " + name + " into chunks");
+    check(H5Pset_shuffle(layout), "shuffle " + name);
+    check(H5Pset_deflate(layout, 2), "compress " + name);
+  }
+  const hid_t type = type_of(values.data());
+  const Handle dataset(
+      H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose,
+      "create the dataset " + name);
+  if (n_rows > 0)
+    check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          "write the dataset " + name);
+  add_unit(dataset, unit);
+}
+} // namespace
+
+struct Hdf5File::Handles
+{
+  Handle file{create_in_memory(), H5Fclose, "create a file in memory"};
+};
+
+Hdf5File::Hdf5File() : handles_(std::make_unique<Handles>()) {}
+
+Hdf5File::~Hdf5File() = default;
+
+void Hdf5File::set_attribute(const std::string &name, const double value)
+{
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create a scalar");
+  const Handle attribute(
+      H5Acreate2(handles_->file, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose, "create the attribute " + name);
+  check(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value), "write the attribute " + name);
+}
+
+void Hdf5File::add(const std::string &name, const std::vector<double> &values,
+                   const std::size_t n_columns, const std::string &unit)
+{
+  add_dataset(handles_->file, name, values, n_columns, unit);
+}
+
+void Hdf5File::add(const std::string &name, const std::vector<float> &values,
+                   const std::size_t n_columns, const std::string &unit)
+{
+  add_dataset(handles_->file, name, values, n_columns, unit);
+}
+
+void Hdf5File::add(const std::string &name, const std::vector<int> &values,
+                   const std::size_t n_columns, const std::string &unit)
+{
+  add_dataset(handles_->file, name, values, n_columns, unit);
+}
+
+void Hdf5File::link(const std::string &name, const std::string &file)
+{
+  check(
+      H5Lcreate_external(file.c_str(), "/", handles_->file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+      "create the link " + name);
+}
+
+void Hdf5File::save(const std::filesystem::path &path)
+{
+  check(H5Fflush(handles_->file, H5F_SCOPE_GLOBAL), "complete " + path.string());
+  const ssize_t size = H5Fget_file_image(handles_->file, nullptr, 0);
+  check(size < 0 ? -1 : 0, "measure " + path.string());
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  check(H5Fget_file_image(handles_->file, bytes.data(), bytes.size()) < 0 ? -1 : 0,
+        "copy " + path.string());
+  write_file(path, bytes);
+}
+} // namespace ricochet

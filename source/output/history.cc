@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/output/history.h"
+
+#include "ricochet/output/checked_file.h"
+#include "ricochet/output/collective.h"
+#include "ricochet/output/hdf5_file.h"
+
+#include <cassert>
+#include <cstdio>
+#include <utility>
+
+namespace ricochet
+{
+History::History(const MPI_Comm comm, const std::filesystem::path &directory,
+                 std::vector<Column> columns) :
+  comm_(comm),
+  directory_(directory), columns_(std::move(columns)), values_(columns_.size())
+{
+  on_first_rank(comm_,
+                [&]
+                {
+                  std::string header;
+                  for (const Column &column : columns_)
+                    header += (header.empty() ? "" : ",") + column.name + " [" + column.unit + "]";
+                  file_ = std::make_unique<AppendedFile>(directory_ / "history.csv");
+                  file_->append(header + "\n");
+                });
+}
+
+History::~History() = default;
+
+void History::append(const std::vector<double> &row)
+{
+  assert(!closed_ && row.size() == columns_.size());
+  on_first_rank(comm_,
+                [&]
+                {
+                  std::string line;
+                  for (std::size_t i = 0; i < row.size(); ++i)
+                  {
+                    char number[32];
+                    std::snprintf(number, sizeof number, "%s%.10g", i == 0 ? "" : ",", row[i]);
+                    line += number;
+                  }
+                  file_->append(line + "\n");
+                  for (std::size_t i = 0; i < row.size(); ++i)
+                    values_[i].push_back(row[i]);
+                });
+}
+
+void History::close()
+{
+  if (closed_)
+    return;
+  closed_ = true;
+  on_first_rank(comm_,
+                [&]
+                {
+                  file_->close();
+                  Hdf5File file;
+                  for (std::size_t i = 0; i < columns_.size(); ++i)
+                    file.add(columns_[i].name, values_[i], 1, columns_[i].unit);
+                  file.save(directory_ / "history.h5");
+                });
+}
+} // namespace ricochet

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/output/progress.h"
+
+#include "ricochet/output/collective.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace ricochet
+{
+namespace
+{
+/// Whether standard output ends at a terminal. Open MPI gives its processes a pseudo-terminal even
+/// if its own output goes to a file, so under mpirun the parent's output is looked at.
+bool on_terminal()
+{
+  if (!isatty(STDOUT_FILENO))
+    return false;
+  if (!std::getenv("OMPI_COMM_WORLD_SIZE"))
+    return true;
+  std::error_code error;
+  const std::string target =
+      std::filesystem::read_symlink("/proc/" + std::to_string(getppid()) + "/fd/1", error).string();
+  return !error && (target.rfind("/dev/pts/", 0) == 0 || target.rfind("/dev/tty", 0) == 0);
+}
+
+unsigned int terminal_width()
+{
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 200;
+}
+
+/// A count with four digits at most and a letter for the power of 1000.
+std::string short_count(double value)
+{
+  const char letters[] = {' ', 'k', 'M', 'G', 'T'};
+  std::size_t i        = 0;
+  for (; value >= 9999.5 && i + 1 < sizeof letters; ++i)
+    value /= 1000.;
+  char text[32];
+  std::snprintf(text, sizeof text, i == 0 ? "%.0f" : "%.0f %c", value, letters[i]);
+  return text;
+}
+
+std::string duration(const double seconds)
+{
+  if (!std::isfinite(seconds))
+    return "?";
+  const long s = std::lround(seconds);
+  char text[32];
+  if (s < 60)
+    std::snprintf(text, sizeof text, "%ld s", s);
+  else if (s < 3600)
+    std::snprintf(text, sizeof text, "%ld min %02ld s", s / 60, s % 60);
+  else
+    std::snprintf(text, sizeof text, "%ld h %02ld min", s / 3600, s / 60 % 60);
+  return text;
+}
+} // namespace
+
+Progress::Progress(const MPI_Comm comm, const double end_time, const bool quiet) :
+  Progress(std::cout, end_time,
+           quiet || rank_in(comm) != 0 ? Style::silent
+           : on_terminal()             ? Style::terminal
+                                       : Style::log)
+{
+}
+
+Progress::Progress(std::ostream &out, const double end_time, const Style style) :
+  out_(out), end_time_(end_time), style_(style)
+{
+}
+
+void Progress::update(const ProgressState &state)
+{
+  if (style_ == Style::silent)
+    return;
+  last_         = state;
+  any_          = true;
+  last_printed_ = false;
+  if (style_ == Style::terminal)
+  {
+    if (printed_ == Clock::time_point() ||
+        Clock::now() - printed_ >= std::chrono::milliseconds(200))
+      print(state);
+    return;
+  }
+  // A small surplus, so that the record meant for 10 % is not missed by rounding.
+  const int tenth = static_cast<int>(std::floor(10. * state.time / end_time_ + 1e-9));
+  if (tenth >= next_tenth_)
+  {
+    print(state);
+    next_tenth_ = tenth + 1;
+  }
+}
+
+void Progress::finish()
+{
+  if (style_ == Style::silent || finished_)
+    return;
+  finished_ = true;
+  if (any_ && !last_printed_)
+    print(last_);
+  if (any_ && style_ == Style::terminal)
+    out_ << std::endl;
+}
+
+void Progress::print(const ProgressState &state)
+{
+  const std::string text = line(state);
+  if (style_ == Style::terminal) // a longer line would wrap and could not be rewritten
+    out_ << '\r' << text.substr(0, terminal_width() - 1) << "\033[K" << std::flush;
+  else
+    out_ << text << std::endl;
+  printed_      = Clock::now();
+  last_printed_ = true;
+}
+
+std::string Progress::line(const ProgressState &state) const
+{
+  const double done    = std::clamp(state.time / end_time_, 0., 1.);
+  const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+
+  char text[256];
+  std::snprintf(
+      text, sizeof text,
+      "%3.0f %%  %7.1f us  %6.1f m/s  pitch %+6.1f deg  broken %7s  residual %+.2f %%  %6s bonds/s",
+      100. * done, state.time * 1e6, state.speed, state.pitch,
+      short_count(state.broken_bonds).c_str(), 100. * state.energy_residual,
+      short_count(state.bonds_per_second).c_str());
+  std::string result = text;
+  if (done > 0. && done < 1. - 1e-9)
+    result += "  " + duration(elapsed * (1. - done) / done) + " left";
+  return result;
+}
+} // namespace ricochet

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/output/result_directory.h"
+
+#include "ricochet/base/exceptions.h"
+#include "ricochet/output/checked_file.h"
+#include "ricochet/output/collective.h"
+
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace ricochet
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+const char *const marker = ".ricochet";
+
+/// Every name a run may leave in its folder and in the two folders below; a new kind of result adds
+/// its name here.
+bool is_result(const fs::path &folder, const std::string &name)
+{
+  static const std::regex top(
+      "(history\\.(csv|h5|png)|section\\.(h5|png)|summary\\.json|results\\.pvd|used\\.prm)"
+      "(\\.tmp)?");
+  static const std::regex vtu(
+      "(points_[0-9]{4,}\\.(pvtu|[0-9]{3,}\\.vtu)|projectile_[0-9]{4,}\\.vtu)(\\.tmp)?");
+  static const std::regex section("frame_[0-9]{4,}\\.h5(\\.tmp)?");
+  return std::regex_match(name, folder.empty() ? top : folder == "vtu" ? vtu : section);
+}
+
+std::vector<fs::path> results_in(const fs::path &path)
+{
+  std::vector<fs::path> found;
+  for (const fs::path folder : {"", "vtu", "section"})
+  {
+    const fs::path place = path / folder;
+    // A link may lead anywhere: only true folders are entered below the one that the user has
+    // named.
+    if (!folder.empty() && !fs::is_directory(fs::symlink_status(place)))
+      continue;
+    for (const fs::directory_entry &entry : fs::directory_iterator(place))
+      if (fs::is_regular_file(entry.symlink_status()) &&
+          is_result(folder, entry.path().filename().string()))
+        found.push_back(entry.path());
+  }
+  return found;
+}
+
+void remove_results(const fs::path &path)
+{
+  const std::vector<fs::path> results = results_in(path);
+  if (!results.empty() && !fs::exists(path / marker))
+    throw FileError("The results folder " + path.string() + " contains " +
+                    results.front().filename().string() + ", but not the mark " + marker +
+                    " of an earlier run; it will not be overwritten. Choose another folder or "
+                    "remove the file.");
+  for (const fs::path &file : results)
+    fs::remove(file);
+  for (const char *folder : {"vtu", "section"})
+  {
+    std::error_code not_empty; // then it holds files of the user and stays
+    if (fs::is_directory(fs::symlink_status(path / folder)))
+      fs::remove(path / folder, not_empty);
+  }
+}
+
+void prepare(const fs::path &path, const bool force)
+{
+  if (path.empty())
+    throw FileError("The name of the results folder is empty. Give a name in the parameter file.");
+  if (fs::exists(path) && !fs::is_directory(path))
+    throw FileError("The results folder " + path.string() +
+                    " is a file. Choose another name or remove it.");
+  if (fs::exists(path) && !fs::is_empty(path) && !force)
+    throw FileError("The results folder " + path.string() +
+                    " is not empty. Choose another one, or use --force to replace the results of "
+                    "an earlier run in "
+                    "it (other files stay).");
+  make_directory(path);
+  if (force)
+    remove_results(path);
+  write_file(path / marker,
+             "This folder holds results of a ricochet run; --force may replace them.\n");
+}
+} // namespace
+
+void prepare_result_directory(const MPI_Comm comm, const fs::path &path, const bool force)
+{
+  on_first_rank(comm,
+                [&]
+                {
+                  try
+                  {
+                    prepare(path, force);
+                  }
+                  catch (const fs::filesystem_error &error)
+                  {
+                    throw FileError("Cannot prepare the results folder " + path.string() + ": " +
+                                    error.code().message() +
+                                    ". Choose a folder in which you may read and write.");
+                  }
+                });
+}
+} // namespace ricochet

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/output/section_writer.h"
+
+#include "ricochet/output/checked_file.h"
+#include "ricochet/output/collective.h"
+#include "ricochet/output/hdf5_file.h"
+
+#include <cstdio>
+#include <numeric>
+
+namespace ricochet
+{
+namespace
+{
+/// The values of all ranks, one rank after the other, on rank 0; empty elsewhere. Collective.
+std::vector<float> gather(const MPI_Comm comm, const std::vector<float> &values)
+{
+  int n_ranks = 1;
+  MPI_Comm_size(comm, &n_ranks);
+  const int n = static_cast<int>(values.size());
+  std::vector<int> counts(n_ranks), starts(n_ranks, 0);
+  MPI_Gather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
+  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+
+  std::vector<float> all(rank_in(comm) == 0 ? starts.back() + counts.back() : 0);
+  MPI_Gatherv(values.data(), n, MPI_FLOAT, all.data(), counts.data(), starts.data(), MPI_FLOAT, 0,
+              comm);
+  return all;
+}
+
+std::vector<float> flattened(const std::vector<Vector3> &vectors)
+{
+  std::vector<float> numbers;
+  numbers.reserve(3 * vectors.size());
+  for (const Vector3 &x : vectors)
+    for (int d = 0; d < 3; ++d)
+      numbers.push_back(static_cast<float>(x[d]));
+  return numbers;
+}
+
+std::string frame_name(const unsigned int number)
+{
+  char name[32];
+  std::snprintf(name, sizeof name, "frame_%04u", number);
+  return name;
+}
+} // namespace
+
+SectionWriter::SectionWriter(const MPI_Comm comm, const std::filesystem::path &directory) :
+  comm_(comm), directory_(directory)
+{
+  on_first_rank(comm_, [&] { make_directory(directory_ / "section"); });
+}
+
+void SectionWriter::write(const unsigned int number, const double time, const PointFrame &points,
+                          const SurfaceFrame &surface)
+{
+  std::vector<Vector3> position;
+  std::vector<float> damage, body;
+  for (std::size_t i = 0; i < points.position.size(); ++i)
+    if (points.in_section[i])
+    {
+      position.push_back(points.position[i]);
+      damage.push_back(static_cast<float>(points.damage[i]));
+      body.push_back(static_cast<float>(points.body[i]));
+    }
+  const std::vector<float> all_positions = gather(comm_, flattened(position));
+  const std::vector<float> all_damage    = gather(comm_, damage);
+  const std::vector<float> all_bodies    = gather(comm_, body);
+
+  on_first_rank(comm_,
+                [&]
+                {
+                  Hdf5File frame;
+                  frame.set_attribute("time_s", time);
+                  frame.add("position", all_positions, 3, "m");
+                  frame.add("damage", all_damage, 1, "-");
+                  frame.add("body", std::vector<int>(all_bodies.begin(), all_bodies.end()), 1, "-");
+                  frame.add("outline", flattened(surface.outline), 3, "m");
+                  frame.save(directory_ / "section" / (frame_name(number) + ".h5"));
+
+                  Hdf5File index;
+                  for (unsigned int i = 0; i <= number; ++i)
+                    index.link(frame_name(i), "section/" + frame_name(i) + ".h5");
+                  index.save(directory_ / "section.h5");
+                });
+}
+} // namespace ricochet

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/output/vtu_writer.h"
+
+#include "ricochet/output/checked_file.h"
+#include "ricochet/output/collective.h"
+
+#include <deal.II/base/data_out_base.h>
+
+#include <cstdio>
+#include <sstream>
+#include <tuple>
+
+namespace ricochet
+{
+namespace
+{
+using dealii::DataComponentInterpretation::component_is_part_of_vector;
+using dealii::DataComponentInterpretation::DataComponentInterpretation;
+using VectorRange =
+    std::tuple<unsigned int, unsigned int, std::string, DataComponentInterpretation>;
+
+// Columns of the data table of every point, and how they form fields. The units stand in the names
+// because ParaView shows nothing else; the attribute that deal.II offers for units is not read by
+// VTK.
+const std::string displacement               = "displacement [m]";
+const std::string velocity                   = "velocity [m/s]";
+const std::vector<std::string> column_names  = {displacement, displacement, displacement,
+                                                velocity,     velocity,     velocity,
+                                                "damage",     "dilatation", "body"};
+const std::vector<VectorRange> vector_fields = {
+    VectorRange{0, 2, displacement, component_is_part_of_vector},
+    VectorRange{3, 5, velocity, component_is_part_of_vector}};
+
+dealii::DataOutBase::VtkFlags vtk_flags(const double time)
+{
+  dealii::DataOutBase::VtkFlags flags;
+  flags.time                = time;
+  flags.print_date_and_time = false;
+  // On particle data the best compression costs 26 times the time and saves a third of the space.
+  flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
+  return flags;
+}
+
+dealii::Point<3> to_point(const Vector3 &x)
+{
+  return {x.x(), x.y(), x.z()};
+}
+
+std::vector<dealii::DataOutBase::Patch<0, 3>> patches_of(const PointFrame &points)
+{
+  std::vector<dealii::DataOutBase::Patch<0, 3>> patches(points.position.size());
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    auto &patch       = patches[i];
+    patch.vertices[0] = to_point(points.position[i]);
+    patch.patch_index = static_cast<unsigned int>(i);
+    patch.data.reinit(column_names.size(), 1);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      patch.data(d, 0)     = static_cast<float>(points.displacement[i][d]);
+      patch.data(3 + d, 0) = static_cast<float>(points.velocity[i][d]);
+    }
+    patch.data(6, 0) = static_cast<float>(points.damage[i]);
+    patch.data(7, 0) = static_cast<float>(points.dilatation[i]);
+    patch.data(8, 0) = static_cast<float>(points.body[i]);
+  }
+  return patches;
+}
+
+std::vector<dealii::DataOutBase::Patch<2, 3>> patches_of(const SurfaceFrame &surface)
+{
+  std::vector<dealii::DataOutBase::Patch<2, 3>> patches(surface.quads.size());
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    auto &patch        = patches[i];
+    // deal.II numbers the corners of a quadrilateral row by row, the frame runs around it.
+    const int order[4] = {0, 1, 3, 2};
+    for (unsigned int v = 0; v < 4; ++v)
+      patch.vertices[v] = to_point(surface.vertices[surface.quads[i][order[v]]]);
+    patch.patch_index    = static_cast<unsigned int>(i);
+    patch.n_subdivisions = 1;
+    patch.reference_cell =
+        dealii::ReferenceCells::Quadrilateral; // by default none, and no cell would be written
+    patch.data.reinit(
+        1, 4); // body 0, so that colouring by body works for plates and projectile together
+  }
+  return patches;
+}
+
+std::string numbered(const char *format, const unsigned int number, const unsigned int rank = 0)
+{
+  char name[64];
+  std::snprintf(name, sizeof name, format, number, rank);
+  return name;
+}
+} // namespace
+
+VtuWriter::VtuWriter(const MPI_Comm comm, const std::filesystem::path &directory) :
+  comm_(comm), directory_(directory)
+{
+  on_first_rank(comm_, [&] { make_directory(directory_ / "vtu"); });
+}
+
+void VtuWriter::write(const unsigned int number, const double time, const PointFrame &points,
+                      const SurfaceFrame &surface)
+{
+  const char *piece_format = "points_%04u.%03u.vtu";
+  on_every_rank(comm_,
+                [&]
+                {
+                  std::ostringstream piece;
+                  dealii::DataOutBase::write_vtu(patches_of(points), column_names, vector_fields,
+                                                 vtk_flags(time), piece);
+                  write_file(directory_ / "vtu" / numbered(piece_format, number, rank_in(comm_)),
+                             piece.str());
+                });
+
+  const Entry entry{time, numbered("vtu/points_%04u.pvtu", number),
+                    numbered("vtu/projectile_%04u.vtu", number)};
+  on_first_rank(comm_,
+                [&]
+                {
+                  int n_ranks = 1;
+                  MPI_Comm_size(comm_, &n_ranks);
+                  std::vector<std::string> pieces;
+                  for (int rank = 0; rank < n_ranks; ++rank)
+                    pieces.push_back(numbered(piece_format, number, rank));
+                  std::ostringstream record;
+                  dealii::DataOutBase::write_pvtu_record(record, pieces, column_names,
+                                                         vector_fields, vtk_flags(time));
+                  write_file(directory_ / entry.points, record.str());
+
+                  write_projectile(entry.projectile, time, surface);
+                  entries_.resize(number); // without the entry of an attempt that failed
+                  entries_.push_back(entry);
+                  write_index();
+                });
+}
+
+void VtuWriter::write_projectile(const std::string &file, const double time,
+                                 const SurfaceFrame &surface) const
+{
+  std::ostringstream text;
+  dealii::DataOutBase::write_vtu(patches_of(surface), {"body"}, {}, vtk_flags(time), text);
+  write_file(directory_ / file, text.str());
+}
+
+void VtuWriter::write_index() const
+{
+  std::ostringstream text;
+  text.precision(12);
+  text
+      << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+  for (const Entry &entry : entries_)
+    for (unsigned int part = 0; part < 2; ++part)
+      text << "    <DataSet timestep=\"" << entry.time << "\" part=\"" << part << "\" name=\""
+           << (part == 0 ? "points" : "projectile") << "\" file=\""
+           << (part == 0 ? entry.points : entry.projectile) << "\"/>\n";
+  text << "  </Collection>\n</VTKFile>\n";
+  write_file(directory_ / "results.pvd", text.str());
+}
+} // namespace ricochet

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/output/field_writer.h"
+#include "ricochet/output/history.h"
+#include "ricochet/output/pictures.h"
+#include "ricochet/output/summary.h"
+
+#include "scratch_directory.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace ricochet
+{
+namespace
+{
+using namespace testing;
+namespace fs = std::filesystem;
+
+/// An environment variable while it lives.
+class Variable
+{
+public:
+  Variable(const char *name, const std::string &value) : name_(name)
+  {
+    if (const char *before = std::getenv(name))
+      before_ = before, was_set_ = true;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() { was_set_ ? setenv(name_, before_.c_str(), 1) : unsetenv(name_); }
+  Variable(const Variable &)            = delete;
+  Variable &operator=(const Variable &) = delete;
+
+private:
+  const char *name_;
+  std::string before_;
+  bool was_set_ = false;
+};
+
+/// A small run: a plate of 40 x 8 points, a triangle that slides over it.
+void write_run(const fs::path &folder)
+{
+  FieldWriter fields(MPI_COMM_WORLD, folder, /*vtu=*/false);
+  History history(MPI_COMM_WORLD, folder,
+                  {{"time", "us"}, {"x", "mm"}, {"z", "mm"}, {"speed", "m/s"}, {"pitch", "deg"}});
+  for (int step = 0; step < 4; ++step)
+  {
+    PointFrame points;
+    for (int i = rank(); i < 320; i += n_ranks())
+    {
+      points.position.emplace_back(1e-3 * (i % 40), 0.5e-3, -1e-3 * (i / 40) - 0.5e-3);
+      points.displacement.push_back(Vector3::Zero());
+      points.velocity.push_back(Vector3::Zero());
+      points.damage.push_back(i / 40 == 0 && i % 40 < 10 * step ? 0.8 : 0.);
+      points.dilatation.push_back(0.);
+      points.body.push_back(1);
+      points.in_section.push_back(1);
+    }
+    const double x = 5e-3 * step;
+    SurfaceFrame surface;
+    surface.outline = {{x, 0., 0.}, {x + 0.01, 0., 0.}, {x, 0., 0.005}};
+    fields.write(1e-5 * step, points, surface);
+    history.append({10. * step, 5. * step, 2., 500. - 10. * step, 3. * step});
+  }
+  history.close();
+  write_summary(MPI_COMM_WORLD, folder,
+                {{"outcome", "ricochet"},
+                 {"title", "Test"},
+                 {"exit_speed_m_s", 470.},
+                 {"exit_angle_deg", 12.}});
+}
+
+bool python_has_modules()
+{
+  static const bool found =
+      std::system("/usr/bin/python3 -c 'import matplotlib, h5py' > /dev/null 2>&1") == 0;
+  return found;
+}
+
+bool is_png(const fs::path &path)
+{
+  return contains(read_text(path).substr(0, 8), "PNG");
+}
+
+TEST(Pictures, AreDrawnFromTheResultsAlone)
+{
+  if (!python_has_modules())
+    GTEST_SKIP() << "python3 has no matplotlib or h5py";
+  const ScratchDirectory scratch;
+  // A name that a shell would take apart.
+  const fs::path folder = scratch.path() / "run; touch $(echo bad) 'x'";
+  if (rank() == 0)
+    fs::create_directory(folder);
+  MPI_Barrier(MPI_COMM_WORLD);
+  write_run(folder);
+  ::testing::internal::CaptureStdout();
+  EXPECT_TRUE(draw_pictures(MPI_COMM_WORLD, folder, /*quiet=*/false));
+  const std::string text = ::testing::internal::GetCapturedStdout();
+  EXPECT_EQ(contains(text, "section.png") && contains(text, "history.png"), rank() == 0) << text;
+  EXPECT_TRUE(is_png(folder / "section.png"));
+  EXPECT_TRUE(is_png(folder / "history.png"));
+}
+
+TEST(Pictures, WithoutResultsSayWhy)
+{
+  if (!python_has_modules())
+    GTEST_SKIP() << "python3 has no matplotlib or h5py";
+  const ScratchDirectory scratch;
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE(draw_pictures(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+  const std::string text = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(contains(text, "neither section.h5 nor history.csv"), rank() == 0) << text;
+}
+
+TEST(Pictures, WithoutScriptNameTheVariable)
+{
+  const ScratchDirectory scratch;
+  const Variable variable("RICOCHET_SCRIPT_DIR", scratch.path() / "nowhere");
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE(draw_pictures(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+  const std::string text = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(contains(text, "RICOCHET_SCRIPT_DIR"), rank() == 0) << text;
+}
+
+TEST(Pictures, WithoutPythonModulesNameThePackages)
+{
+  const ScratchDirectory scratch;
+  // Stands for a python without matplotlib: whichever python runs finds this one first.
+  if (rank() == 0)
+    std::ofstream(scratch.path() / "matplotlib.py")
+        << "raise ImportError('No module named matplotlib')\n";
+  MPI_Barrier(MPI_COMM_WORLD);
+  const Variable variable("PYTHONPATH", scratch.path());
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE(draw_pictures(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+  const std::string text = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(contains(text, "apt install python3-matplotlib python3-h5py"), rank() == 0) << text;
+}
+} // namespace
+} // namespace ricochet
