@@ -52,7 +52,8 @@ if [[ $what == test ]]; then
   exit
 fi
 
-# A rank needs at least three of the plate's 133 lattice planes; more than 16 ranks gain nothing on so small a plate.
-ranks=$((cores < 16 ? cores : 16))
+# Open MPI counts cores, not hardware threads. More than 16 ranks gain nothing on so small a plate.
+real_cores=$(lscpu --parse=Core,Socket | grep -v '^#' | sort -u | wc -l)
+ranks=$((real_cores < 1 ? 1 : real_cores < 16 ? real_cores : 16))
 echo "== running prm/quickstart.prm on $ranks cores"
 mpirun -np "$ranks" --bind-to none build/ricochet run prm/quickstart.prm --force

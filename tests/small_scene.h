@@ -5,6 +5,8 @@
 #include "ricochet/base/units.h"
 #include "ricochet/drivers/simulation.h"
 
+#include <ostream>
+
 namespace ricochet::tests
 {
 inline Scene small_scene()
@@ -39,3 +41,12 @@ inline Scene symmetric(Scene scene)
   return scene;
 }
 } // namespace ricochet::tests
+
+namespace ricochet
+{
+/// How GoogleTest shows a scene.
+inline void PrintTo(const Scene &scene, std::ostream *out)
+{
+  *out << (scene.symmetric ? "half model of " : "full model of ") << scene.plates.size() << " plates";
+}
+} // namespace ricochet

@@ -73,11 +73,11 @@ void extend(Box &box, const Box &other)
 void extend_by_image(Box &box)
 {
   if (!is_empty(box))
-    {
-      const double low = box.first.y(), high = box.second.y();
-      box.first.y()    = std::min(low, -high);
-      box.second.y()   = std::max(high, -low);
-    }
+  {
+    const double low = box.first.y(), high = box.second.y();
+    box.first.y()  = std::min(low, -high);
+    box.second.y() = std::max(high, -low);
+  }
 }
 
 bool inside(const Box &box, const Vector3 &x, const double margin)
@@ -300,6 +300,9 @@ void DebrisContact::search()
         if (bodies_[i]->is_damaged(p))
           extend(debris, x);
       }
+    if (mirrored_)
+      for (Box *box : {&debris, &all})
+        extend_by_image(*box);
     for (const auto &box : gather(communicator_, debris))
     {
       extend(near[i], box);
@@ -348,7 +351,11 @@ void DebrisContact::search()
   c.receive.assign(n_ranks, 0);
   if (n_ranks > 1)
   {
-    const auto boxes = gather(communicator_, own_box);
+    // A rank also needs the points whose images come near its own.
+    Box wanted = own_box;
+    if (mirrored_)
+      extend_by_image(wanted);
+    const auto boxes = gather(communicator_, wanted);
     std::vector<int> n_send(n_ranks), from(n_ranks), to(n_ranks), bytes_send(n_ranks),
         bytes_receive(n_ranks);
     std::vector<Cloud::Point> out;
@@ -379,9 +386,11 @@ void DebrisContact::search()
   c.n_real = c.points.size();
   c.position.resize(c.n_real);
   update_cloud();
+  // Own debris that has crossed the plane, y < 0, meets images of points further away from it.
+  const double farthest_image = range + std::max(0., -own_box.first.y());
   if (mirrored_)
     for (std::size_t i = 0; i < c.n_real; ++i)
-      if (c.position[i].y() < range)
+      if (c.position[i].y() < farthest_image)
       {
         auto image = c.points[i];
         image.id -= 2 * image.lattice[1] + 1;
