@@ -2,6 +2,7 @@
 // The command line. The one place that catches exceptions.
 #include "ricochet/base/exceptions.h"
 #include "ricochet/drivers/bench.h"
+#include "ricochet/drivers/bench_elements.h"
 #include "ricochet/drivers/check.h"
 #include "ricochet/drivers/run.h"
 #include "ricochet/drivers/study.h"
@@ -29,6 +30,7 @@ struct Arguments
   RunOptions run;
   StudyOptions study;
   KernelBenchOptions bench;
+  ElementBenchOptions elements;
 };
 
 ParameterFile parameter_file(const Arguments &arguments)
@@ -79,6 +81,19 @@ void declare(CLI::App &app, Arguments &arguments)
   kernel->add_option("--bond-model", arguments.bench.bond_model, "bond law")->capture_default_str();
   kernel->add_flag("--holes", arguments.bench.holes, "cut a sphere out of the cube");
 
+  auto *elements = bench->add_subcommand("elements", "the explicit finite elements");
+  elements->add_flag("--json", arguments.elements.json, "one JSON object");
+  elements
+      ->add_option("--edge", arguments.elements.elements_per_edge,
+                   "elements along an edge of the cube")
+      ->capture_default_str();
+  elements->add_option("--repeats", arguments.elements.repeats, "timed repeats, the median counts")
+      ->capture_default_str();
+  elements->add_option("--element", arguments.elements.element, "one point, full or own tensors")
+      ->capture_default_str();
+  elements->add_option("--instruction-set", arguments.elements.instruction_set,
+                       "avx512, avx2 or baseline; default: the best one");
+
   app.add_subcommand("template", "print a commented parameter file");
 }
 
@@ -97,7 +112,13 @@ int execute(const CLI::App &app, const Arguments &arguments)
   if (app.got_subcommand("study"))
     return study(communicator, arguments.file, arguments.study) == 0 ? 0 : 4;
   if (app.got_subcommand("bench"))
-    bench_kernel(communicator, arguments.bench);
+  {
+    const CLI::App &bench = *app.get_subcommand("bench");
+    if (bench.got_subcommand("kernel"))
+      bench_kernel(communicator, arguments.bench);
+    if (bench.got_subcommand("elements"))
+      bench_elements(communicator, arguments.elements);
+  }
   if (app.got_subcommand("template") && rank_in(communicator) == 0)
     print_template(std::cout);
   return 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/kernels/lattice_kernel.h"
 
-#include <cstring>
+#include "ricochet/kernels/instruction_set.h"
 
 namespace ricochet
 {
@@ -11,22 +11,8 @@ extern const LatticeKernel *const lattice_kernels_avx512;
 
 const LatticeKernel *lattice_kernel(const int law, const char *instruction_set)
 {
-  struct Choice
-  {
-    bool available;
-    const LatticeKernel *kernels;
-  };
-  __builtin_cpu_init();
-  const Choice best_first[] = {
-      {__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl"),
-       lattice_kernels_avx512},
-      {__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), lattice_kernels_avx2},
-      {true, lattice_kernels_baseline}};
-  for (const auto &choice : best_first)
-    if (choice.available && (instruction_set == nullptr ||
-                             std::strcmp(instruction_set, choice.kernels[0].instruction_set) == 0))
-      return choice.kernels + law;
-  return nullptr;
+  const LatticeKernel *kernels = table_for_this_processor(
+      instruction_set, lattice_kernels_avx512, lattice_kernels_avx2, lattice_kernels_baseline);
+  return kernels == nullptr ? nullptr : kernels + law;
 }
 } // namespace ricochet

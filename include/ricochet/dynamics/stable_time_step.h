@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The largest frequency of a body by matrix-free power iteration with the very force routine that
-// is integrated: an element-wise or bond-wise bound would waste a quarter to a half of the step.
+// The largest frequency of a peridynamic body, see dynamics/power_iteration.h.
 #pragma once
 
+#include "ricochet/dynamics/power_iteration.h"
 #include "ricochet/forces/peridynamic_force.h"
 
 namespace ricochet
 {
-struct FrequencyEstimate
-{
-  double squared_frequency; // largest eigenvalue of M^-1 K at the present positions [1/s^2]
-  double seconds_per_force; // wall time of one force evaluation with halo exchange [s]
-};
-
 /// `n_iterations` force evaluations about the reference configuration (30 suffice for 1 %). The
 /// body is left at rest in its reference configuration. Collective; the result does not depend on
 /// the number of ranks.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <immintrin.h>
+#include <stdint.h>
 
 namespace ricochet
 {
@@ -20,6 +21,12 @@ struct Simd
   static V set(const double value) { return _mm256_set1_pd(value); }
   static V load(const double *p) { return _mm256_loadu_pd(p); }
   static void store(double *p, const V v) { _mm256_storeu_pd(p, v); }
+  /// base[index[l]] in lane l.
+  static V gather(const double *base, const int32_t *index)
+  {
+    const __m256d all = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
+    return _mm256_mask_i32gather_pd(zero(), base, _mm_loadu_si128((const __m128i *) index), all, 8);
+  }
   static V fma(const V a, const V b, const V c) { return _mm256_fmadd_pd(a, b, c); }
   static V fnma(const V a, const V b, const V c) { return _mm256_fnmadd_pd(a, b, c); }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <immintrin.h>
+#include <stdint.h>
 
 namespace ricochet
 {
@@ -20,6 +21,12 @@ struct Simd
   static V set(const double value) { return _mm512_set1_pd(value); }
   static V load(const double *p) { return _mm512_loadu_pd(p); }
   static void store(double *p, const V v) { _mm512_storeu_pd(p, v); }
+  /// base[index[l]] in lane l.
+  static V gather(const double *base, const int32_t *index)
+  {
+    return _mm512_mask_i32gather_pd(zero(), 0xff, _mm256_loadu_si256((const __m256i *) index), base,
+                                    8);
+  }
   static V fma(const V a, const V b, const V c) { return _mm512_fmadd_pd(a, b, c); }
   static V fnma(const V a, const V b, const V c) { return _mm512_fnmadd_pd(a, b, c); }
 

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The internal force of one body of explicit finite elements, see kernels/hex_kernel.h for the
+// equations. Owns the body's mesh and state. Mass is lumped to the nodes; hanging nodes carry none,
+// they follow their masters and hand their force and mass on to them.
+#pragma once
+
+#include "ricochet/discretization/hex_mesh.h"
+#include "ricochet/kernels/hex_kernel.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace ricochet
+{
+struct FiniteElementMaterial
+{
+  double density;       // [kg/m^3]
+  double bulk_modulus;  // [Pa]
+  double shear_modulus; // [Pa]
+};
+
+/// How an element integrates its energy. `one_point` takes about half the time and bends as freely
+/// as a beam; `full` (2 x 2 x 2 points) is the reference: it has no hourglass modes, but locks in
+/// bending: the curvature of a cube costs E/(1 - nu^2) + mu instead of E, which stiffens a plate of
+/// n cubes by (1/(1 - nu^2) + 1/(2 (1 + nu)) - 1)/n^2.
+enum class Quadrature
+{
+  one_point,
+  full
+};
+
+/// An element's own symmetric stiffness tensor at each Gauss point [Pa], as in HexTensors. The
+/// eigenvalues must not be negative, or the body is unstable.
+struct ElementStiffness
+{
+  int element; // number in mesh().elements()
+  std::array<std::array<double, HexTensors::n_entries>, 8> tensors;
+};
+
+class FiniteElementForce
+{
+public:
+  struct Options
+  {
+    Quadrature quadrature                       = Quadrature::one_point;
+    /// 1: a cube in pure bending stores its exact energy E kappa^2 I / 2, which one point in the
+    /// middle does not see at all: k = E h/48 for the vectors st, rt, rs and, by the same formula
+    /// for a strain that also varies along the third axis, E h/144 for rst. Both follow from the
+    /// integral of (E/2) (2 q st / 8 h)^2 over the cube. [-]
+    double hourglass_coefficient                = 1.;
+    /// Elements for whose centre this is false carry neither force nor mass; empty: all do.
+    std::function<bool(const Vector3 &)> active = {};
+    /// As in hex_kernel().
+    const char *instruction_set                 = nullptr;
+  };
+
+  struct Energies // of this body as computed, without the mirrored half [J]
+  {
+    double kinetic, strain, hourglass;
+  };
+
+  struct Momenta
+  {
+    Vector3 linear;  // [kg m/s]
+    Vector3 angular; // about the origin [kg m^2/s]
+  };
+
+  /// At rest in the reference configuration; nodes on a mirror plane have u_y = 0. Collective.
+  /// Throws InputError if the processor lacks the instruction set or the mesh is impossible.
+  FiniteElementForce(MPI_Comm communicator, const HexMesh::Box &box,
+                     const FiniteElementMaterial &material, const Options &options);
+  FiniteElementForce(MPI_Comm communicator, const HexMesh::Box &box,
+                     const FiniteElementMaterial &material);
+  FiniteElementForce(const FiniteElementForce &)            = delete;
+  FiniteElementForce &operator=(const FiniteElementForce &) = delete;
+
+  /// Gives these elements their own tensors, with full quadrature; all others have the material's
+  /// moduli, whatever was set before. Elements that are not active are left out.
+  void set_stiffness(const std::vector<ElementStiffness> &stiffness);
+
+  /// The node keeps its velocity along this axis, zero unless set otherwise; its force is then the
+  /// reaction. `node` is local; on ranks that do not own it the call does nothing.
+  void fix(int node, int component);
+
+  /// Ghosts and hanging nodes take over positions and velocities; call after every change of them.
+  /// Collective.
+  void update_ghosts();
+
+  /// Overwrites `force` of owned nodes with the internal force; positions of ghosts must be up to
+  /// date. With `energy`, also each element's energies. Collective.
+  void evaluate(bool energy);
+
+  /// Kick and drift of the owned nodes: v += f kick/m, x += v drift; both in s, equal but in a
+  /// first half step.
+  void advance(double kick, double drift);
+
+  /// At the present time, where velocities are those of half a step before: kinetic energy is 1/2
+  /// m v- . v+, which the leapfrog scheme conserves together with the others in a linear system.
+  /// After evaluate(true), before advance(). Collective; ranks change it by rounding only.
+  Energies energies(double dt) const;
+  /// Of the half step before the present time. Collective; likewise.
+  Momenta momenta() const;
+  /// Lumped mass of all nodes [kg]. Collective.
+  double total_mass() const;
+
+  const HexMesh &mesh() const { return mesh_; }
+  const FiniteElementMaterial &material() const { return material_; }
+  const HexKernel &kernel() const { return *kernel_; }
+  // Three numbers per local node, see HexMesh.
+  std::vector<double> &position() { return position_; } // [m]
+  const std::vector<double> &position() const { return position_; }
+  std::vector<double> &velocity() { return velocity_; } // at the half step [m/s]
+  const std::vector<double> &velocity() const { return velocity_; }
+  std::vector<double> &force() { return force_; } // [N]
+  const std::vector<double> &force() const { return force_; }
+  /// Of an owned node; zero for hanging nodes and where no active element is [kg].
+  double mass(const int node) const { return mass_[node]; }
+  /// 1/m; zero where a component is not integrated [1/kg].
+  double inverse_mass(const int node, const int component) const
+  {
+    return inverse_mass_[3 * node + component];
+  }
+
+  bool is_active(const int element) const { return place_[element].group >= 0; }
+  /// Of the last evaluate(true); zero if not active [J].
+  double strain_energy(int element) const;
+  double hourglass_energy(int element) const;
+  /// F in the middle of an element [-].
+  Eigen::Matrix3d deformation_gradient(int element) const;
+  /// Second Piola-Kirchhoff stress at the deformation of the middle, by the mean of the Gauss
+  /// points' tensors; zero if not active [Pa].
+  Eigen::Matrix3d stress(int element) const;
+
+private:
+  struct Group
+  {
+    std::vector<int> elements;
+    std::vector<HexBlock> blocks;
+    std::vector<HexTensors> tensors;
+    std::vector<double> strain_energy, hourglass_energy; // per entry of elements
+  };
+  struct Place
+  {
+    int group, index; // group -1: not active
+  };
+
+  void lump_mass();
+  void fill(Group &group) const;
+  HexGroup view(const Group &group) const;
+
+  MPI_Comm communicator_;
+  HexMesh mesh_;
+  FiniteElementMaterial material_;
+  Options options_;
+  const HexKernel *kernel_;
+  std::array<Group, 2> groups_; // shared moduli, own tensors
+  std::vector<Place> place_;    // of each element
+  std::vector<char> active_;
+  std::vector<double> position_, velocity_, force_;
+  std::vector<double> mass_;         // per owned node
+  std::vector<double> inverse_mass_; // per component of owned nodes
+};
+} // namespace ricochet

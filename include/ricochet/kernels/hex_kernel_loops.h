@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The loops behind kernels/hex_kernel.h, written once on a SIMD type. Each including file defines,
+// in an unnamed namespace before this header, a struct Simd of its instruction set, so that nothing
+// compiled here is visible outside that file.
+//
+// With corner coordinates r, s, t = +-1 the nodal values of a component are a sum of eight modes
+// (1, r, s, t, st, rt, rs, rst); the fast Walsh-Hadamard transform gives all amplitudes, eight
+// times, in 24 additions. Gradients need r, s, t, hourglass control the rest. Forces go back by the
+// transpose.
+#pragma once
+
+#include "ricochet/kernels/hex_kernel.h"
+
+namespace ricochet
+{
+namespace
+{
+constexpr int lanes      = Simd::width;
+constexpr int block_size = 8;
+
+using V = Simd::V;
+
+enum Mode
+{
+  r,
+  s,
+  t,
+  st,
+  rt,
+  rs,
+  rst,
+  n_modes
+};
+
+/// The values a + s b + t c + s t d at the four points s, t = +-1 in the order --, +-, -+, ++.
+inline void at_four_points(const V a, const V b, const V c, const V d, V (&values)[4])
+{
+  const V low = a - b, high = a + b, low_t = c - d, high_t = c + d;
+  values[0] = low - low_t;
+  values[1] = high - high_t;
+  values[2] = low + low_t;
+  values[3] = high + high_t;
+}
+
+/// The transpose: sums of the values times 1, s, t and s t.
+inline void moments_of_four_points(const V (&values)[4], V &one, V &first, V &second, V &product)
+{
+  const V sum_low = values[0] + values[1], sum_high = values[2] + values[3];
+  const V difference_low = values[1] - values[0], difference_high = values[3] - values[2];
+  one     = sum_high + sum_low;
+  first   = difference_high + difference_low;
+  second  = sum_high - sum_low;
+  product = difference_high - difference_low;
+}
+
+struct Element
+{
+  V mode[3][n_modes]; // eight times the amplitude, of each component of the position [m]
+  V edge;             // [m]
+};
+
+inline Element load(const double *position, const HexBlock &block, const int lane)
+{
+  Element e;
+  e.edge = Simd::load(block.edge + lane);
+  for (int c = 0; c < 3; ++c)
+  {
+    V even[4], odd[4], unused; // in r, of the edges along r
+    for (int i = 0; i < 4; ++i)
+    {
+      const V low  = Simd::gather(position + c, block.entry[2 * i] + lane);
+      const V high = Simd::gather(position + c, block.entry[2 * i + 1] + lane);
+      even[i]      = high + low;
+      odd[i]       = high - low;
+    }
+    moments_of_four_points(even, unused, e.mode[c][s], e.mode[c][t], e.mode[c][st]);
+    moments_of_four_points(odd, e.mode[c][r], e.mode[c][rs], e.mode[c][rt], e.mode[c][rst]);
+  }
+  return e;
+}
+
+/// Adds the nodal forces sum_m mode[m] Gamma_m to the elements of lanes `lane` to `end`. Neighbours
+/// share nodes, so they are added one after the other.
+inline void scatter(const V (&mode)[3][n_modes], const HexBlock &block, const int lane,
+                    const int end, double *force)
+{
+  alignas(64) double nodal[3][8][lanes];
+  for (int c = 0; c < 3; ++c)
+  {
+    V even[4], odd[4];
+    at_four_points(Simd::zero(), mode[c][s], mode[c][t], mode[c][st], even);
+    at_four_points(mode[c][r], mode[c][rs], mode[c][rt], mode[c][rst], odd);
+    for (int i = 0; i < 4; ++i)
+    {
+      Simd::store(nodal[c][2 * i], even[i] - odd[i]);
+      Simd::store(nodal[c][2 * i + 1], even[i] + odd[i]);
+    }
+  }
+  for (int l = lane; l < end; ++l)
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double *const f = force + block.entry[corner][l];
+      for (int c = 0; c < 3; ++c)
+        f[c] += nodal[c][corner][l - lane];
+    }
+}
+
+/// A symmetric matrix: 11, 22, 33, 23, 13, 12.
+struct Symmetric
+{
+  V a[6];
+};
+
+/// 2 E = F^T F - 1
+inline Symmetric twice_green_strain(const V (&F)[3][3])
+{
+  constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
+  Symmetric e;
+  for (int i = 0; i < 6; ++i)
+  {
+    const int j = row[i], k = column[i];
+    e.a[i] = Simd::fma(
+        F[0][j], F[0][k],
+        Simd::fma(F[1][j], F[1][k],
+                  i < 3 ? Simd::fma(F[2][j], F[2][k], -Simd::set(1.)) : F[2][j] * F[2][k]));
+  }
+  return e;
+}
+
+/// P = F S, row of component c.
+inline void first_piola_kirchhoff(const V (&F)[3], const Symmetric &S, V (&P)[3])
+{
+  P[0] = Simd::fma(F[0], S.a[0], Simd::fma(F[1], S.a[5], F[2] * S.a[4]));
+  P[1] = Simd::fma(F[0], S.a[5], Simd::fma(F[1], S.a[1], F[2] * S.a[3]));
+  P[2] = Simd::fma(F[0], S.a[4], Simd::fma(F[1], S.a[3], F[2] * S.a[2]));
+}
+
+/// 4 w = 2 S : E with the energy density w = S : E / 2.
+inline V four_energy_densities(const Symmetric &S, const Symmetric &twice_e)
+{
+  const V normal =
+      Simd::fma(S.a[0], twice_e.a[0], Simd::fma(S.a[1], twice_e.a[1], S.a[2] * twice_e.a[2]));
+  const V shear =
+      Simd::fma(S.a[3], twice_e.a[3], Simd::fma(S.a[4], twice_e.a[4], S.a[5] * twice_e.a[5]));
+  return normal + shear + shear;
+}
+
+struct SharedModuli
+{
+  V half_lambda, mu;
+
+  SharedModuli(const HexGroup &group, int64_t, int) :
+    half_lambda(Simd::set(0.5 * group.lambda)), mu(Simd::set(group.mu))
+  {
+  }
+
+  Symmetric stress(int, const Symmetric &twice_e) const
+  {
+    const V pressure = half_lambda * (twice_e.a[0] + twice_e.a[1] + twice_e.a[2]);
+    Symmetric S;
+    for (int i = 0; i < 3; ++i)
+    {
+      S.a[i]     = Simd::fma(mu, twice_e.a[i], pressure);
+      S.a[3 + i] = mu * twice_e.a[3 + i];
+    }
+    return S;
+  }
+};
+
+struct OwnTensors
+{
+  const HexTensors *tensors;
+  int lane;
+
+  OwnTensors(const HexGroup &group, const int64_t block, const int lane) :
+    tensors(group.tensors + block), lane(lane)
+  {
+  }
+
+  Symmetric stress(const int point, const Symmetric &twice_e) const
+  {
+    const auto &c = tensors->c[point];
+    Symmetric e, S;
+    for (int i = 0; i < 3; ++i)
+    {
+      e.a[i]     = Simd::set(0.5) * twice_e.a[i];
+      e.a[3 + i] = twice_e.a[3 + i];
+      S.a[i] = S.a[3 + i] = Simd::zero();
+    }
+    int k = 0;
+    for (int i = 0; i < 6; ++i)
+      for (int j = i; j < 6; ++j, ++k)
+      {
+        const V value = Simd::load(c[k] + lane);
+        S.a[i]        = Simd::fma(value, e.a[j], S.a[i]);
+        if (j > i)
+          S.a[j] = Simd::fma(value, e.a[i], S.a[j]);
+      }
+    return S;
+  }
+};
+
+template <bool with_energy>
+void one_point(const HexArrays &arrays, const HexGroup &group)
+{
+  const V bending = Simd::set(group.hourglass_bending),
+          warping = Simd::set(group.hourglass_warping);
+  const int64_t n = group.n_elements;
+  for (int64_t first = 0; first < n; first += block_size)
+    for (int lane = 0; lane < block_size && first + lane < n; lane += lanes)
+    {
+      const HexBlock &block = group.blocks[first / block_size];
+      const int end         = first + lane + lanes < n ? lane + lanes : int(n - first);
+      const Element e       = load(arrays.position, block, lane);
+
+      // dN_a/dX = r_a / (4 h) at the centre
+      const V to_gradient = Simd::set(0.25) / e.edge;
+      V F[3][3];
+      for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d)
+          F[c][d] = e.mode[c][d] * to_gradient;
+      const Symmetric twice_e = twice_green_strain(F);
+      const Symmetric S       = SharedModuli(group, 0, 0).stress(0, twice_e);
+
+      // f_a = -V P r_a / (4 h) - k q Gamma_a
+      const V minus_area = Simd::set(-0.25) * e.edge * e.edge;
+      const V k_bending = bending * e.edge, k_warping = warping * e.edge;
+      V force[3][n_modes], P[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        first_piola_kirchhoff(F[c], S, P);
+        for (int d = 0; d < 3; ++d)
+          force[c][d] = minus_area * P[d];
+        for (int m = st; m < rst; ++m)
+          force[c][m] = Simd::zero() - k_bending * e.mode[c][m];
+        force[c][rst] = Simd::zero() - k_warping * e.mode[c][rst];
+      }
+      scatter(force, block, lane, end, arrays.force);
+
+      if constexpr (with_energy)
+      {
+        alignas(64) double energy[2][lanes];
+        const V quarter_volume = Simd::set(0.25) * e.edge * e.edge * e.edge;
+        Simd::store(energy[0], quarter_volume * four_energy_densities(S, twice_e));
+        V twice = Simd::zero();
+        for (int c = 0; c < 3; ++c)
+          for (int m = st; m <= rst; ++m)
+            twice =
+                Simd::fma((m == rst ? k_warping : k_bending) * e.mode[c][m], e.mode[c][m], twice);
+        Simd::store(energy[1], Simd::set(0.5) * twice);
+        for (int l = lane; l < end; ++l)
+        {
+          arrays.strain_energy[first + l]    = energy[0][l - lane];
+          arrays.hourglass_energy[first + l] = energy[1][l - lane];
+        }
+      }
+    }
+}
+
+template <class Law, bool with_energy>
+void integrated(const HexArrays &arrays, const HexGroup &group)
+{
+  // Gauss points at r, s, t = +-1/sqrt(3), all with weight V/8.
+  const V gauss = Simd::set(0.57735026918962576451), gauss2 = Simd::set(1. / 3.);
+  // Derivatives along direction d vary with the two other coordinates, `first` and `second`.
+  constexpr Mode with_first[3] = {rs, rs, rt}, with_second[3] = {rt, st, st};
+  const int64_t n = group.n_elements;
+  for (int64_t first = 0; first < n; first += block_size)
+    for (int lane = 0; lane < block_size && first + lane < n; lane += lanes)
+    {
+      const HexBlock &block = group.blocks[first / block_size];
+      const int end         = first + lane + lanes < n ? lane + lanes : int(n - first);
+      const Element e       = load(arrays.position, block, lane);
+      const Law law(group, first / block_size, lane);
+
+      const V to_gradient = Simd::set(0.25) / e.edge;
+      V gradient[3][3][4], piola[3][3][4]; // [component][direction][point of the other two]
+      for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d)
+        {
+          const V scaled = gauss * to_gradient;
+          at_four_points(e.mode[c][d] * to_gradient, e.mode[c][with_first[d]] * scaled,
+                         e.mode[c][with_second[d]] * scaled,
+                         e.mode[c][rst] * (gauss2 * to_gradient), gradient[c][d]);
+          for (V &value : piola[c][d])
+            value = Simd::zero();
+        }
+
+      V energy = Simd::zero();
+      for (int point = 0; point < 8; ++point)
+      {
+        const int others[3] = {point >> 1, (point & 1) + 2 * (point >> 2), point & 3};
+        V F[3][3], P[3];
+        for (int c = 0; c < 3; ++c)
+          for (int d = 0; d < 3; ++d)
+            F[c][d] = gradient[c][d][others[d]];
+        const Symmetric twice_e = twice_green_strain(F);
+        const Symmetric S       = law.stress(point, twice_e);
+        for (int c = 0; c < 3; ++c)
+        {
+          first_piola_kirchhoff(F[c], S, P);
+          for (int d = 0; d < 3; ++d)
+            piola[c][d][others[d]] = piola[c][d][others[d]] + P[d];
+        }
+        if constexpr (with_energy)
+          energy = energy + four_energy_densities(S, twice_e);
+      }
+
+      // f_a = -sum_g V/8 P dN_a/dX
+      const V weight = Simd::set(-1. / 32.) * e.edge * e.edge;
+      V force[3][n_modes];
+      for (int c = 0; c < 3; ++c)
+      {
+        V one, first_moment[3], second_moment[3], product, warping = Simd::zero();
+        for (int d = 0; d < 3; ++d)
+        {
+          moments_of_four_points(piola[c][d], one, first_moment[d], second_moment[d], product);
+          force[c][d] = weight * one;
+          warping     = warping + product;
+        }
+        const V scaled = weight * gauss;
+        force[c][rs]   = scaled * (first_moment[0] + first_moment[1]);
+        force[c][rt]   = scaled * (second_moment[0] + first_moment[2]);
+        force[c][st]   = scaled * (second_moment[1] + second_moment[2]);
+        force[c][rst]  = weight * gauss2 * warping;
+      }
+      scatter(force, block, lane, end, arrays.force);
+
+      if constexpr (with_energy)
+      {
+        alignas(64) double nodal[lanes];
+        Simd::store(nodal, Simd::set(1. / 32.) * e.edge * e.edge * e.edge * energy);
+        for (int l = lane; l < end; ++l)
+        {
+          arrays.strain_energy[first + l]    = nodal[l - lane];
+          arrays.hourglass_energy[first + l] = 0.;
+        }
+      }
+    }
+}
+
+inline void advance(double *position, double *velocity, const double *force,
+                    const double *inverse_mass, const int64_t n, const double kick,
+                    const double drift)
+{
+  const V kick_v = Simd::set(kick), drift_v = Simd::set(drift);
+  int64_t i = 0;
+  for (; i + lanes <= n; i += lanes)
+  {
+    const V v = Simd::fma(kick_v * Simd::load(force + i), Simd::load(inverse_mass + i),
+                          Simd::load(velocity + i));
+    Simd::store(velocity + i, v);
+    Simd::store(position + i, Simd::fma(drift_v, v, Simd::load(position + i)));
+  }
+  for (; i < n; ++i)
+  {
+    velocity[i] += kick * force[i] * inverse_mass[i];
+    position[i] += drift * velocity[i];
+  }
+}
+
+const HexKernel kernel = {Simd::name,
+                          &one_point<false>,
+                          &one_point<true>,
+                          &integrated<SharedModuli, false>,
+                          &integrated<SharedModuli, true>,
+                          &integrated<OwnTensors, false>,
+                          &integrated<OwnTensors, true>,
+                          &advance};
+} // namespace
+} // namespace ricochet

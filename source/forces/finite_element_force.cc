@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/forces/finite_element_force.h"
+
+#include "ricochet/base/exceptions.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <string>
+
+namespace ricochet
+{
+namespace
+{
+enum
+{
+  shared_moduli,
+  own_tensors
+};
+
+constexpr int block_size = 8;
+
+Vector3 at(const std::vector<double> &values, const int node)
+{
+  return {values[3 * node], values[3 * node + 1], values[3 * node + 2]};
+}
+
+double youngs_modulus(const FiniteElementMaterial &m)
+{
+  return 9. * m.bulk_modulus * m.shear_modulus / (3. * m.bulk_modulus + m.shear_modulus);
+}
+
+/// Row and column of a symmetric matrix in the order of HexTensors.
+constexpr int voigt_row[6] = {0, 1, 2, 1, 0, 0}, voigt_column[6] = {0, 1, 2, 2, 2, 1};
+} // namespace
+
+FiniteElementForce::FiniteElementForce(const MPI_Comm communicator, const HexMesh::Box &box,
+                                       const FiniteElementMaterial &material) :
+  FiniteElementForce(communicator, box, material, Options())
+{
+}
+
+FiniteElementForce::FiniteElementForce(const MPI_Comm communicator, const HexMesh::Box &box,
+                                       const FiniteElementMaterial &material,
+                                       const Options &options) :
+  communicator_(communicator),
+  mesh_(communicator, box), material_(material), options_(options),
+  kernel_(hex_kernel(options.instruction_set)), position_(mesh_.reference()),
+  velocity_(position_.size(), 0.), force_(position_.size(), 0.)
+{
+  if (kernel_ == nullptr)
+    throw InputError(std::string("This processor does not have the instruction set '") +
+                     options.instruction_set + "'.");
+  for (const auto &element : mesh_.elements())
+    active_.push_back(!options.active || options.active(mesh_.centre(element)));
+  set_stiffness({});
+  lump_mass();
+}
+
+void FiniteElementForce::lump_mass()
+{
+  std::vector<double> mass(force_.size(), 0.);
+  for (std::size_t e = 0; e < active_.size(); ++e)
+    if (active_[e])
+    {
+      const auto &element = mesh_.elements()[e];
+      const double share  = material_.density * element.edge * element.edge * element.edge / 8.;
+      for (const int node : element.nodes)
+        for (int d = 0; d < 3; ++d)
+          mass[3 * node + d] += share;
+    }
+  mesh_.add_to_owners(mass.data());
+  for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
+  {
+    mass_.push_back(mass[3 * node]);
+    for (int d = 0; d < 3; ++d)
+      inverse_mass_.push_back(mass_[node] > 0. ? 1. / mass_[node] : 0.);
+    if (mesh_.on_mirror_plane(node))
+      fix(node, 1);
+  }
+}
+
+void FiniteElementForce::set_stiffness(const std::vector<ElementStiffness> &stiffness)
+{
+  std::vector<const ElementStiffness *> own(active_.size(), nullptr);
+  for (const auto &entry : stiffness)
+    own[entry.element] = &entry;
+  for (auto &group : groups_)
+    group = {};
+  place_.clear();
+  for (std::size_t e = 0; e < active_.size(); ++e)
+  {
+    const int number = !active_[e] ? -1 : own[e] == nullptr ? shared_moduli : own_tensors;
+    place_.push_back({number, 0});
+    if (number < 0)
+      continue;
+    auto &group         = groups_[number];
+    place_.back().index = static_cast<int>(group.elements.size());
+    group.elements.push_back(static_cast<int>(e));
+  }
+  for (auto &group : groups_)
+    fill(group);
+
+  auto &group = groups_[own_tensors];
+  group.tensors.assign(group.blocks.size(), HexTensors{});
+  for (std::size_t i = 0; i < group.elements.size(); ++i)
+    for (int point = 0; point < 8; ++point)
+      for (int k = 0; k < HexTensors::n_entries; ++k)
+        group.tensors[i / block_size].c[point][k][i % block_size] =
+            own[group.elements[i]]->tensors[point][k];
+}
+
+void FiniteElementForce::fill(Group &group) const
+{
+  const std::size_t n = group.elements.size();
+  group.blocks.resize((n + block_size - 1) / block_size);
+  group.strain_energy.assign(n, 0.);
+  group.hourglass_energy.assign(n, 0.);
+  for (std::size_t i = 0; i < group.blocks.size() * block_size; ++i)
+  {
+    const auto &element = mesh_.elements()[group.elements[std::min(i, n - 1)]];
+    auto &block         = group.blocks[i / block_size];
+    for (int corner = 0; corner < 8; ++corner)
+      block.entry[corner][i % block_size] = 3 * element.nodes[corner];
+    block.edge[i % block_size] = element.edge;
+  }
+}
+
+HexGroup FiniteElementForce::view(const Group &group) const
+{
+  const double k = options_.hourglass_coefficient * youngs_modulus(material_);
+  return {group.blocks.data(),
+          group.tensors.empty() ? nullptr : group.tensors.data(),
+          static_cast<int64_t>(group.elements.size()),
+          material_.bulk_modulus - 2. / 3. * material_.shear_modulus,
+          material_.shear_modulus,
+          k / 48.,
+          k / 144.};
+}
+
+void FiniteElementForce::fix(const int node, const int component)
+{
+  if (node < mesh_.n_owned_nodes())
+    inverse_mass_[3 * node + component] = 0.;
+}
+
+void FiniteElementForce::update_ghosts()
+{
+  for (auto *values : {&position_, &velocity_})
+  {
+    mesh_.update_ghosts(values->data());
+    mesh_.follow_masters(values->data());
+  }
+}
+
+void FiniteElementForce::evaluate(const bool energy)
+{
+  std::fill(force_.begin(), force_.end(), 0.);
+  for (int number : {shared_moduli, own_tensors})
+  {
+    auto &group = groups_[number];
+    const HexArrays arrays{position_.data(), force_.data(), group.strain_energy.data(),
+                           group.hourglass_energy.data()};
+    const auto &k   = *kernel_;
+    const auto loop = number == own_tensors ? (energy ? k.own_tensors_and_energy : k.own_tensors)
+                      : options_.quadrature == Quadrature::one_point
+                          ? (energy ? k.one_point_and_energy : k.one_point)
+                          : (energy ? k.integrated_and_energy : k.integrated);
+    loop(arrays, view(group));
+  }
+  mesh_.add_to_owners(force_.data());
+}
+
+void FiniteElementForce::advance(const double kick, const double drift)
+{
+  kernel_->advance(position_.data(), velocity_.data(), force_.data(), inverse_mass_.data(),
+                   static_cast<int64_t>(inverse_mass_.size()), kick, drift);
+}
+
+FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
+{
+  std::array<double, 3> sums{};
+  for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
+    for (int i = 3 * node; i < 3 * node + 3; ++i)
+    {
+      const double after = velocity_[i] + dt * force_[i] * inverse_mass_[i];
+      sums[0] += 0.5 * mass_[node] * velocity_[i] * after;
+    }
+  for (const auto &group : groups_)
+  {
+    for (const double energy : group.strain_energy)
+      sums[1] += energy;
+    for (const double energy : group.hourglass_energy)
+      sums[2] += energy;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
+  return {sums[0], sums[1], sums[2]};
+}
+
+FiniteElementForce::Momenta FiniteElementForce::momenta() const
+{
+  std::array<Vector3, 2> sums{Vector3::Zero(), Vector3::Zero()};
+  for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
+  {
+    const Vector3 linear = mass_[node] * at(velocity_, node);
+    sums[0] += linear;
+    sums[1] += at(position_, node).cross(linear);
+  }
+  for (auto &sum : sums)
+    MPI_Allreduce(MPI_IN_PLACE, sum.data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
+  return {sums[0], sums[1]};
+}
+
+double FiniteElementForce::total_mass() const
+{
+  double sum = 0.;
+  for (const double mass : mass_)
+    sum += mass;
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+  return sum;
+}
+
+double FiniteElementForce::strain_energy(const int element) const
+{
+  const auto &place = place_[element];
+  return place.group < 0 ? 0. : groups_[place.group].strain_energy[place.index];
+}
+
+double FiniteElementForce::hourglass_energy(const int element) const
+{
+  const auto &place = place_[element];
+  return place.group < 0 ? 0. : groups_[place.group].hourglass_energy[place.index];
+}
+
+Eigen::Matrix3d FiniteElementForce::deformation_gradient(const int element) const
+{
+  // dN_a/dX = +-1/(4 h) in the middle
+  const auto &e     = mesh_.elements()[element];
+  Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
+  for (int corner = 0; corner < 8; ++corner)
+    for (int d = 0; d < 3; ++d)
+      F.col(d) += ((corner >> d) & 1 ? 1. : -1.) / (4. * e.edge) * at(position_, e.nodes[corner]);
+  return F;
+}
+
+Eigen::Matrix3d FiniteElementForce::stress(const int element) const
+{
+  const auto &place       = place_[element];
+  const Eigen::Matrix3d F = deformation_gradient(element);
+  const Eigen::Matrix3d E = 0.5 * (F.transpose() * F - Eigen::Matrix3d::Identity());
+  Eigen::Matrix3d S       = Eigen::Matrix3d::Zero();
+  if (place.group == shared_moduli)
+  {
+    const double lambda = material_.bulk_modulus - 2. / 3. * material_.shear_modulus;
+    S = lambda * E.trace() * Eigen::Matrix3d::Identity() + 2. * material_.shear_modulus * E;
+  }
+  else if (place.group == own_tensors)
+  {
+    const auto &tensors = groups_[own_tensors].tensors[place.index / block_size];
+    for (const auto &c : tensors.c)
+      for (int i = 0, k = 0; i < 6; ++i)
+        for (int j = i; j < 6; ++j, ++k)
+        {
+          const double share = c[k][place.index % block_size] / 8.;
+          const auto add     = [&](const int to, const int from)
+          {
+            S(voigt_row[to], voigt_column[to]) +=
+                share * (from < 3 ? 1. : 2.) * E(voigt_row[from], voigt_column[from]);
+          };
+          add(i, j);
+          if (j > i)
+            add(j, i);
+        }
+    for (int i = 3; i < 6; ++i)
+      S(voigt_column[i], voigt_row[i]) = S(voigt_row[i], voigt_column[i]);
+  }
+  return S;
+}
+} // namespace ricochet
