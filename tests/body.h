@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Small peridynamic bodies on one rank, and how to move them.
+// Small peridynamic bodies, and how to move them.
 #pragma once
 
 #include "laws.h"
+#include "random.h"
 #include "ricochet/forces/peridynamic_force.h"
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <random>
 
 namespace ricochet::tests
 {
@@ -16,27 +18,28 @@ constexpr double unbreakable = std::numeric_limits<double>::infinity();
 
 struct BodySample
 {
-  FamilySample       family{bond_law_samples[0], InfluenceFunction::cone, 3.};
+  FamilySample family{bond_law_samples[0], InfluenceFunction::cone, 3.};
   std::array<int, 3> n{8, 8, 8};
-  double             spacing          = 1e-3; // [m]
-  Vector3            corner           = Vector3::Zero();
-  double             critical_stretch = unbreakable;
-  bool               mirror_y         = false;
-  Lattice::Mask      mask             = {};
-  const char        *instruction_set  = nullptr;
-  int                number           = 0;
+  double spacing              = 1e-3; // [m]
+  Vector3 corner              = Vector3::Zero();
+  double critical_stretch     = unbreakable;
+  bool mirror_y               = false;
+  Lattice::Mask mask          = {};
+  const char *instruction_set = nullptr;
+  int number                  = 0;
+  MPI_Comm communicator       = MPI_COMM_SELF;
 };
 
 inline std::unique_ptr<PeridynamicForce> make_body(const BodySample &sample)
 {
-  const auto               &law = sample.family.law;
+  const auto &law = sample.family.law;
   const PeridynamicMaterial material{&bond_law(law.law), law.density, law.bulk_modulus,
                                      law.shear_modulus, sample.critical_stretch};
-  const Lattice::Box        box{sample.corner, sample.spacing, sample.n, sample.mirror_y};
+  const Lattice::Box box{sample.corner, sample.spacing, sample.n, sample.mirror_y};
   return std::make_unique<PeridynamicForce>(
-    MPI_COMM_SELF, sample.number, box,
-    make_stencil(sample.spacing, sample.family.horizon_ratio, sample.family.influence_function),
-    material, sample.mask, sample.instruction_set);
+      sample.communicator, sample.number, box,
+      make_stencil(sample.spacing, sample.family.horizon_ratio, sample.family.influence_function),
+      material, sample.mask, sample.instruction_set);
 }
 
 template <class Visitor>
@@ -78,9 +81,8 @@ inline Vector3 force(const PeridynamicForce &body, const std::ptrdiff_t p)
 template <class Map>
 void deform(PeridynamicForce &body, Map &&map, const bool breaking = false)
 {
-  for_each_point(body, [&](const std::ptrdiff_t p) {
-    set(body.state().arrays.position, p, map(reference(body, p)));
-  });
+  for_each_point(body, [&](const std::ptrdiff_t p)
+                 { set(body.state().arrays.position, p, map(reference(body, p))); });
   body.update_ghosts();
   body.evaluate(breaking, /*energy=*/true);
 }
@@ -95,7 +97,8 @@ inline double strain_energy(const PeridynamicForce &body)
 inline double largest_force(const PeridynamicForce &body)
 {
   double largest = 0.;
-  for_each_point(body, [&](const std::ptrdiff_t p) { largest = std::max(largest, force(body, p).norm()); });
+  for_each_point(body, [&](const std::ptrdiff_t p)
+                 { largest = std::max(largest, force(body, p).norm()); });
   return largest;
 }
 
@@ -103,24 +106,10 @@ inline double largest_force(const PeridynamicForce &body)
 inline bool is_intact(const PeridynamicForce &body, const std::ptrdiff_t p, const std::size_t k)
 {
   const auto n = body.lattice().stencil().offsets.size();
-  return (body.state().arrays.bonds[(p / Lattice::block_size) * n + k] >> (p % Lattice::block_size)) & 1;
+  return (body.state().arrays.bonds[(p / Lattice::block_size) * n + k] >>
+          (p % Lattice::block_size)) &
+         1;
 }
-
-/// The same numbers with every standard library.
-class Random
-{
-public:
-  explicit Random(const unsigned int seed) : engine_(seed) {}
-  double uniform() { return 2. * engine_() / double(std::mt19937::max()) - 1.; } // in [-1, 1]
-  Vector3 vector()
-  {
-    const double x = uniform(), y = uniform(), z = uniform();
-    return {x, y, z};
-  }
-
-private:
-  std::mt19937 engine_;
-};
 
 /// K + 4 mu / 3 [Pa]
 inline double p_wave_modulus(const PeridynamicMaterial &m)

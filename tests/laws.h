@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The table of all bond laws, influence functions and friction laws with sample parameters: every
-// invariant is looped over it. A new law is one line here; a test compares the table with the menus.
+// invariant is looped over it. A new law is one line here; a test compares the table with the
+// menus.
 #pragma once
 
 #include "ricochet/contact/friction_laws.h"
@@ -17,23 +18,23 @@ namespace ricochet::tests
 struct BondLawSample
 {
   const char *law;
-  double      density;       // [kg/m^3]
-  double      bulk_modulus;  // [Pa]
-  double      shear_modulus; // [Pa]
+  double density;       // [kg/m^3]
+  double bulk_modulus;  // [Pa]
+  double shear_modulus; // [Pa]
 };
 
-// PMMA at high rate, K = 5.9 GPa and mu = 2.258 GPa as in the impact studies; glass-like with mu = 3K/5,
-// as the bond-based law demands.
+// PMMA at high rate, K = 5.9 GPa and mu = 2.258 GPa as in the impact studies; glass-like with mu =
+// 3K/5, as the bond-based law demands.
 inline const std::vector<BondLawSample> bond_law_samples{
-  {"linear peridynamic solid", 1190., 5.9e9, 2.258e9},
-  {"microelastic brittle", 2440., 40e9, 24e9},
+    {"linear peridynamic solid", 1190., 5.9e9, 2.258e9},
+    {"microelastic brittle", 2440., 40e9, 24e9},
 };
 
 struct FamilySample
 {
-  BondLawSample     law;
+  BondLawSample law;
   InfluenceFunction influence_function;
-  double            horizon_ratio;
+  double horizon_ratio;
 };
 
 inline std::ostream &operator<<(std::ostream &out, const FamilySample &sample)
@@ -55,7 +56,7 @@ inline std::vector<FamilySample> family_samples()
 inline std::string camel_case(const std::string &words)
 {
   std::string name;
-  bool        start = true;
+  bool start = true;
   for (const char c : words)
     if (c == ' ' || c == '_' || c == '-')
       start = true;
@@ -76,7 +77,7 @@ inline std::string name_of(const InfluenceFunction function)
 }
 
 inline const std::vector<FrictionParameters> friction_law_samples{
-  {"exponential", 0.4, 0.05, 0.01, 5.},
-  {"constant", 0.2, 0., 0., 5.},
+    {"exponential", 0.4, 0.05, 0.01, 5.},
+    {"constant", 0.2, 0., 0., 5.},
 };
 } // namespace ricochet::tests

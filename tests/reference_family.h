@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Peridynamics as it stands in the papers: every point has a list of neighbours, nothing is vectorised,
-// nothing is shared between the two ends of a bond. Slow, plain, and the oracle of the lattice kernels.
+// Peridynamics as it stands in the papers: every point has a list of neighbours, nothing is
+// vectorised, nothing is shared between the two ends of a bond. Slow, plain, and the oracle of the
+// lattice kernels.
 #pragma once
 
 #include "ricochet/geometry/vector.h"
@@ -17,22 +18,23 @@ class ReferenceFamilies
 public:
   struct Neighbour
   {
-    int           point;
+    int point;
     BondConstants constants;
-    bool          intact;
+    bool intact;
   };
 
   /// Points at the given reference positions of a cubic lattice of that spacing [m].
   ReferenceFamilies(const std::vector<Vector3> &reference, const double spacing,
                     const double horizon_ratio, const InfluenceFunction influence_function,
                     const BondLaw &law, const double bulk_modulus, const double shear_modulus) :
-    position(reference), law_(law)
+    position(reference),
+    law_(law)
   {
     const double horizon = horizon_ratio * spacing;
     const double volume  = spacing * spacing * spacing;
     // Sums over the full family in the bulk, fixed for ever, also for points near a surface.
     FamilyConstants family{bulk_modulus, shear_modulus, volume, 0., 0.};
-    const int       n = static_cast<int>(horizon_ratio) + 1;
+    const int n = static_cast<int>(horizon_ratio) + 1;
     for (int x = -n; x <= n; ++x)
       for (int y = -n; y <= n; ++y)
         for (int z = -n; z <= n; ++z)
@@ -92,11 +94,11 @@ public:
     }
   }
 
-  std::vector<Vector3>                position; // current [m]
+  std::vector<Vector3> position; // current [m]
   std::vector<std::vector<Neighbour>> neighbours;
-  std::vector<double>                 dilatation; // [-]
-  std::vector<Vector3>                force;      // [N]
-  std::vector<double>                 energy;     // [J]
+  std::vector<double> dilatation; // [-]
+  std::vector<Vector3> force;     // [N]
+  std::vector<double> energy;     // [J]
 
 private:
   double extension(const std::size_t i, const Neighbour &n) const
@@ -105,6 +107,6 @@ private:
   }
 
   BondLaw law_;
-  double  point_stiffness_; // [J]
+  double point_stiffness_; // [J]
 };
 } // namespace ricochet::tests

@@ -12,23 +12,28 @@ namespace ricochet::tests
 inline Scene small_scene()
 {
   using namespace units;
-  Scene scene;
+  Scene scene{};
   scene.title      = "small oblique impact";
   scene.symmetric  = false;
   scene.projectile = {{NoseShape::ogive, 4. * mm, 10. * mm, 5. * mm}, 0.8 * g};
   scene.impact     = {300., 30. * deg, 0., 8. * mm, 0., 0.1 * mm};
-  scene.plates     = {{30. * mm, 16. * mm, 9. * mm, 0., 1. * mm, 3., InfluenceFunction::cone, "plate"}};
+  scene.plates = {{30. * mm, 16. * mm, 9. * mm, 0., 1. * mm, 3., InfluenceFunction::cone, "plate"}};
   // PMMA at high rate; the critical stretch is round and low, so that much of the plate breaks.
-  scene.materials  = {{"plate", "linear peridynamic solid", 1190., 5.9 * GPa, 2.258 * GPa, 0.01, 0.}};
-  scene.contact    = {1., {"exponential", 0.3, 0.05, 0.01, 5.}, 100. * MPa, 0.1, 1.};
-  scene.time       = {1000. * us, 0.8, true, 10. * us};
-  scene.output     = {"", 0., 1. * us, false, false};
+  scene.materials = {
+      {"plate", "linear peridynamic solid", 1190., 5.9 * GPa, 2.258 * GPa, 0.01, 0.}};
+  scene.contact.stiffness_factor       = 1.;
+  scene.contact.friction               = {"exponential", 0.3, 0.05, 0.01, 5.};
+  scene.contact.shank_resistance       = 100. * MPa;
+  scene.contact.shank_contact_fraction = 0.1;
+  scene.contact.debris_factor          = 1.;
+  scene.time                           = {1000. * us, 0.8, true, 10. * us};
+  scene.output                         = {"", 0., 1. * us, false, false};
   return scene;
 }
 
 inline Scene two_plates()
 {
-  Scene scene = small_scene();
+  Scene scene               = small_scene();
   scene.plates[0].thickness = 4e-3;
   scene.plates.push_back(scene.plates[0]);
   scene.plates[1].gap = 0.;
@@ -47,6 +52,7 @@ namespace ricochet
 /// How GoogleTest shows a scene.
 inline void PrintTo(const Scene &scene, std::ostream *out)
 {
-  *out << (scene.symmetric ? "half model of " : "full model of ") << scene.plates.size() << " plates";
+  *out << (scene.symmetric ? "half model of " : "full model of ") << scene.plates.size()
+       << " plates";
 }
 } // namespace ricochet

@@ -55,16 +55,20 @@ FamilyConstants family_constants(const Stencil &stencil, const double bulk_modul
   return {bulk_modulus, shear_modulus, volume, m, first};
 }
 
-double fracture_energy_per_squared_stretch(const Stencil &stencil, const double bulk_modulus)
+double fracture_energy_per_squared_stretch(const Stencil &stencil, const BondLaw &law,
+                                           const double bulk_modulus, const double shear_modulus)
 {
-  // A bond at stretch s in a medium dilated by theta = 3 s holds 9 K omega |xi|^2 s^2 V^2 / m. An
-  // offset (x, y, z) crosses a plane normal to an axis as often per dx^2 as its component along
-  // that axis; the mean over the axes is taken, they are equal for a full stencil.
-  const double volume = std::pow(stencil.spacing, 3);
-  const double m      = family_constants(stencil, bulk_modulus, 0.).weighted_volume;
-  double sum          = 0.;
+  // At the stretch 1 in a medium dilated by theta = 3 a bond holds half its tension times its
+  // length. An offset (x, y, z) crosses a plane normal to an axis as often per dx^2 as its
+  // component along that axis; the mean over the axes is taken, they are equal for a full stencil.
+  const FamilyConstants family = family_constants(stencil, bulk_modulus, shear_modulus);
+  double sum                   = 0.;
   for (const auto &o : stencil.offsets)
-    sum += (std::abs(o.x) + std::abs(o.y) + std::abs(o.z)) / 3. * o.omega * o.length * o.length;
-  return 9. * bulk_modulus / m * sum * volume * volume / (stencil.spacing * stencil.spacing);
+  {
+    const BondConstants c = law.bond(family, o.length, o.omega);
+    const double crossing = (std::abs(o.x) + std::abs(o.y) + std::abs(o.z)) / 3.;
+    sum += crossing * 0.5 * law.tension(c, o.length, /*theta_sum=*/6.) * o.length;
+  }
+  return sum / (stencil.spacing * stencil.spacing);
 }
 } // namespace ricochet

@@ -53,7 +53,9 @@ void print_plates(const Simulation &simulation)
     std::printf("  fracture     critical stretch %.4g (%s), implied strength E s_c = %.3g MPa, "
                 "implied G_c = %.3g J/m2\n",
                 s_c, material.critical_stretch > 0. ? "given" : "from G_c", E * s_c / MPa,
-                s_c * s_c * fracture_energy_per_squared_stretch(lattice.stencil(), K));
+                s_c * s_c *
+                    fracture_energy_per_squared_stretch(lattice.stencil(),
+                                                        bond_law(material.bond_model), K, mu));
   }
 }
 } // namespace

@@ -49,8 +49,9 @@ double critical_stretch(const MaterialParameters &material, const Stencil &stenc
 {
   if (material.critical_stretch > 0.)
     return material.critical_stretch;
-  return std::sqrt(material.energy_release /
-                   fracture_energy_per_squared_stretch(stencil, material.bulk_modulus));
+  return std::sqrt(material.energy_release / fracture_energy_per_squared_stretch(
+                                                 stencil, bond_law(material.bond_model),
+                                                 material.bulk_modulus, material.shear_modulus));
 }
 
 Simulation::Simulation(const MPI_Comm communicator, const Scene &scene) :
@@ -152,7 +153,7 @@ void Simulation::build_projectile()
     }
   }
   debris_ = std::make_unique<DebrisContact>(communicator_, plates_, contact.debris_factor,
-                                            scene_.symmetric);
+                                            scene_.symmetric, contact.search);
 }
 
 void Simulation::choose_time_step()

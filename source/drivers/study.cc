@@ -55,11 +55,12 @@ Json finished_summary(const MPI_Comm communicator, const StudyCase &c,
   return finished ? (summary.is_object() ? summary : Json::object()) : Json();
 }
 
-std::string cell_text(const Json &value)
+/// Four digits for the eye; all of them for the CSV.
+std::string cell_text(const Json &value, const bool all_digits)
 {
   if (value.is_string())
     return value.get<std::string>();
-  if (value.is_number_integer() || value.is_boolean())
+  if (value.is_number_integer() || value.is_boolean() || (all_digits && value.is_number()))
     return value.dump();
   if (!value.is_number())
     return "-";
@@ -78,9 +79,9 @@ public:
 
   void add(const std::string &name, const Json &summary, const std::string &status)
   {
-    std::vector<std::string> row{name};
+    std::vector<Json> row{name};
     for (const auto &column : columns_)
-      row.push_back(cell_text(summary.is_object() ? summary.value(column, Json()) : Json()));
+      row.push_back(summary.is_object() ? summary.value(column, Json()) : Json());
     row.push_back(status);
     rows_.push_back(row);
   }
@@ -88,7 +89,7 @@ public:
   std::string csv() const
   {
     std::string text;
-    for (const auto &row : with_header())
+    for (const auto &row : with_header(/*all_digits=*/true))
     {
       for (std::size_t i = 0; i < row.size(); ++i)
       {
@@ -108,7 +109,7 @@ public:
 
   void print() const
   {
-    const auto rows = with_header();
+    const auto rows = with_header(/*all_digits=*/false);
     std::vector<std::size_t> width(rows[0].size(), 0);
     for (const auto &row : rows)
       for (std::size_t i = 0; i < row.size(); ++i)
@@ -126,17 +127,22 @@ public:
   }
 
 private:
-  std::vector<std::vector<std::string>> with_header() const
+  std::vector<std::vector<std::string>> with_header(const bool all_digits) const
   {
     std::vector<std::vector<std::string>> rows{{"case"}};
     rows[0].insert(rows[0].end(), columns_.begin(), columns_.end());
     rows[0].push_back("status");
-    rows.insert(rows.end(), rows_.begin(), rows_.end());
+    for (const auto &row : rows_)
+    {
+      rows.emplace_back();
+      for (const auto &cell : row)
+        rows.back().push_back(cell_text(cell, all_digits));
+    }
     return rows;
   }
 
   std::vector<std::string> columns_;
-  std::vector<std::vector<std::string>> rows_;
+  std::vector<std::vector<Json>> rows_;
 };
 } // namespace
 

@@ -29,7 +29,7 @@ Candidate nearest_on_segment(const Vector2 &a, const Vector2 &b, const Vector2 &
 Candidate nearest_on_arc(const Vector2 &center, const double radius, const Vector2 &shoulder,
                          const Vector2 &tip, const Vector2 &p)
 {
-  const Vector2 n  = (p - center).normalized();
+  const Vector2 n  = p == center ? Vector2(0., 1.) : Vector2((p - center).normalized());
   const Vector2 a  = (shoulder - center).normalized();
   const Vector2 b  = (tip - center).normalized();
   const auto cross = [](const Vector2 &u, const Vector2 &v)
@@ -44,15 +44,17 @@ Candidate nearest_on_arc(const Vector2 &center, const double radius, const Vecto
 BodyOfRevolution::BodyOfRevolution(const Shape &shape) : shape_(shape)
 {
   const double radius = shape.diameter / 2.;
-  if (!(radius > 0.) || !(shape.length > 0.))
+  if (shape.nose == NoseShape::sphere)
+    shape_.length = shape_.nose_length = shape.diameter;
+  if (!(radius > 0.) || !(shape_.length > 0.))
     throw InputError("The projectile's diameter and length must be positive; they are " +
                      std::to_string(shape.diameter * 1e3) + " mm and " +
-                     std::to_string(shape.length * 1e3) + " mm.");
+                     std::to_string(shape_.length * 1e3) + " mm.");
   if (shape.nose == NoseShape::flat)
     shape_.nose_length = 0.;
   if (shape.nose == NoseShape::hemisphere)
     shape_.nose_length = radius;
-  if (shape_.nose_length > shape.length)
+  if (shape_.nose_length > shape_.length)
     throw InputError("The projectile's nose (" + std::to_string(shape_.nose_length * 1e3) +
                      " mm) is longer than the projectile (" + std::to_string(shape.length * 1e3) +
                      " mm).");
@@ -97,7 +99,9 @@ BodyOfRevolution::BodyOfRevolution(const Shape &shape) : shape_(shape)
 double BodyOfRevolution::radius_at(const double x) const
 {
   const double radius = shape_.diameter / 2.;
-  const double s      = x - (shape_.length - shape_.nose_length); // behind the shoulder if negative
+  if (shape_.nose == NoseShape::sphere)
+    return std::sqrt(std::max(0., x * (shape_.diameter - x)));
+  const double s = x - (shape_.length - shape_.nose_length); // behind the shoulder if negative
   if (s <= 0.)
     return radius;
   if (shape_.nose == NoseShape::cone)
@@ -108,6 +112,12 @@ double BodyOfRevolution::radius_at(const double x) const
 
 BodyOfRevolution::Hit BodyOfRevolution::hit(const Vector3 &point) const
 {
+  if (shape_.nose == NoseShape::sphere)
+  {
+    const double r = point.norm();
+    return {r - shape_.diameter / 2., r > 0. ? Vector3(point / r) : Vector3(Vector3::UnitX()),
+            Surface::nose};
+  }
   const double radius   = shape_.diameter / 2.;
   const double shoulder = shape_.length - shape_.nose_length;
   const double r        = std::hypot(point.y(), point.z());
@@ -149,6 +159,15 @@ BodyOfRevolution::Hit BodyOfRevolution::hit(const Vector3 &point) const
 
 std::vector<std::array<double, 2>> BodyOfRevolution::profile(const unsigned int n_nose) const
 {
+  if (shape_.nose == NoseShape::sphere)
+  {
+    std::vector<std::array<double, 2>> circle{{base_position(), 0.}};
+    for (unsigned int i = 1; i < n_nose; ++i)
+      circle.push_back({-shape_.diameter / 2. * std::cos(M_PI * i / n_nose),
+                        shape_.diameter / 2. * std::sin(M_PI * i / n_nose)});
+    circle.push_back({tip_position(), 0.});
+    return circle;
+  }
   std::vector<std::array<double, 2>> line{{-centroid_, 0.}, {-centroid_, shape_.diameter / 2.}};
   const double shoulder = shape_.length - shape_.nose_length;
   if (shape_.nose == NoseShape::flat)

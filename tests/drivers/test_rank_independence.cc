@@ -19,9 +19,9 @@ int size_of(const MPI_Comm communicator)
 /// Everything a history file would hold, every 20 steps.
 std::vector<double> history(const MPI_Comm communicator, const Scene &scene, const int n_steps)
 {
-  Simulation          simulation(communicator, scene);
+  Simulation simulation(communicator, scene);
   std::vector<double> rows{simulation.dt()};
-  const auto          add = [&](const Vector3 &v) { rows.insert(rows.end(), v.data(), v.data() + 3); };
+  const auto add = [&](const Vector3 &v) { rows.insert(rows.end(), v.data(), v.data() + 3); };
   for (int i = 0; i <= n_steps; ++i)
   {
     simulation.evaluate(/*energy=*/true);
@@ -30,17 +30,19 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene, con
       const auto &motion = simulation.projectile().motion();
       for (const auto &v : {motion.position, motion.velocity, motion.spin})
         add(v);
-      rows.insert(rows.end(), motion.orientation.coeffs().data(), motion.orientation.coeffs().data() + 4);
+      rows.insert(rows.end(), motion.orientation.coeffs().data(),
+                  motion.orientation.coeffs().data() + 4);
       const auto e = simulation.energies();
-      rows.insert(rows.end(), {e.projectile, e.kinetic, e.strain, e.contact, e.debris, e.friction, e.fracture, e.initial});
+      rows.insert(rows.end(), {e.projectile, e.kinetic, e.strain, e.contact, e.debris, e.friction,
+                               e.fracture, e.initial});
       const auto m = simulation.momenta();
       add(m.linear);
       add(m.angular);
       const auto &r = simulation.reaction();
       for (const auto &v : {r.normal, r.friction, r.shank, r.moment})
         add(v);
-      rows.insert(rows.end(), {r.energy, r.deepest, r.n_touching, simulation.broken_bonds(), simulation.n_bonds(),
-                               simulation.n_points()});
+      rows.insert(rows.end(), {r.energy, r.deepest, r.n_touching, simulation.broken_bonds(),
+                               simulation.n_bonds(), simulation.n_points()});
     }
     simulation.advance();
   }
@@ -49,9 +51,9 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene, con
 
 void expect_the_same_on_any_number_of_ranks(const Scene &scene)
 {
-  const int           n_steps = 140;
-  std::vector<double> all     = history(MPI_COMM_WORLD, scene, n_steps), one(all.size());
-  int                 rank;
+  const int n_steps       = 140;
+  std::vector<double> all = history(MPI_COMM_WORLD, scene, n_steps), one(all.size());
+  int rank;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0)
     one = history(MPI_COMM_SELF, scene, n_steps);
@@ -60,7 +62,8 @@ void expect_the_same_on_any_number_of_ranks(const Scene &scene)
   int n_different = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
     n_different += all[i] != one[i];
-  EXPECT_EQ(n_different, 0) << "of " << all.size() << " numbers on " << size_of(MPI_COMM_WORLD) << " ranks";
+  EXPECT_EQ(n_different, 0) << "of " << all.size() << " numbers on " << size_of(MPI_COMM_WORLD)
+                            << " ranks";
   EXPECT_GT(all[all.size() - 3], 10000.) << "too few broken bonds for a hard test";
 }
 
@@ -109,7 +112,7 @@ TEST(RankIndependence, ErrorOnOneRankIsThrownOnAll)
   simulation.evaluate(false);
   EXPECT_NO_THROW(simulation.check_finite());
   const auto &l = simulation.plates()[0]->lattice();
-  const auto  p = l.index(29, 4, 5); // lives on the last rank
+  const auto p  = l.index(29, 4, 5); // lives on the last rank
   if (l.first_plane() + l.n_planes() == 30)
     simulation.plates()[0]->state().arrays.force[0][p] = std::nan("");
   EXPECT_THROW(simulation.check_finite(), RunError);

@@ -25,12 +25,14 @@ void run(Simulation &simulation, const int n_steps, const int interval, Visitor 
 }
 
 class Impact : public testing::TestWithParam<Scene>
-{};
+{
+};
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Impact,
                          testing::Values(small_scene(), symmetric(small_scene()), two_plates(),
                                          symmetric(two_plates())),
-                         [](const auto &info) {
+                         [](const auto &info)
+                         {
                            return std::string(info.param.symmetric ? "Half" : "Full") +
                                   (info.param.plates.size() > 1 ? "TwoPlates" : "OnePlate");
                          });
@@ -38,15 +40,18 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Impact,
 TEST_P(Impact, EnergyBalanceClosesWithDamageAndDebris)
 {
   Simulation simulation(MPI_COMM_SELF, GetParam());
-  double     most_debris = 0., most_friction = 0.;
-  run(simulation, 200, 10, [&] {
-    const auto e = simulation.energies();
-    // Every term but the residual has its own formula. What is left is the time step's error at the
-    // kinks of contact: 1 % of the initial energy is the bound we promise; about 0.25 % is seen.
-    EXPECT_LT(std::abs(e.residual()), 0.01 * e.initial) << "step " << simulation.step();
-    most_debris   = std::max(most_debris, e.debris);
-    most_friction = std::max(most_friction, e.friction);
-  });
+  double most_debris = 0., most_friction = 0.;
+  run(simulation, 200, 10,
+      [&]
+      {
+        const auto e = simulation.energies();
+        // Every term but the residual has its own formula. What is left is the time step's error at
+        // the kinks of contact: 1 % of the initial energy is the bound we promise; about 0.25 % is
+        // seen.
+        EXPECT_LT(std::abs(e.residual()), 0.01 * e.initial) << "step " << simulation.step();
+        most_debris   = std::max(most_debris, e.debris);
+        most_friction = std::max(most_friction, e.friction);
+      });
   // Otherwise the test would say nothing about these terms.
   EXPECT_GT(simulation.broken_bonds(), 10000.);
   EXPECT_GT(most_debris, 0.005 * simulation.energies().initial);
@@ -59,12 +64,14 @@ TEST_P(Impact, MomentumAndAngularMomentumDoNotDrift)
   const auto before = simulation.momenta();
   EXPECT_NEAR(before.linear.norm(), 0.8e-3 * 300., 1e-15); // mass times speed of the scene
   const double arm = simulation.projectile().motion().position.norm();
-  run(simulation, 300, 20, [&] {
-    const auto now = simulation.momenta();
-    // Pair forces are equal and opposite to rounding; 300 steps add up like a random walk.
-    EXPECT_LT((now.linear - before.linear).norm(), 1e-12 * before.linear.norm());
-    EXPECT_LT((now.angular - before.angular).norm(), 1e-12 * arm * before.linear.norm());
-  });
+  run(simulation, 300, 20,
+      [&]
+      {
+        const auto now = simulation.momenta();
+        // Pair forces are equal and opposite to rounding; 300 steps add up like a random walk.
+        EXPECT_LT((now.linear - before.linear).norm(), 1e-12 * before.linear.norm());
+        EXPECT_LT((now.angular - before.angular).norm(), 1e-12 * arm * before.linear.norm());
+      });
   // The plate has taken over a good part of it.
   EXPECT_GT((simulation.projectile().motion().velocity * 0.8e-3 - before.linear).norm(),
             0.3 * before.linear.norm());
@@ -72,11 +79,12 @@ TEST_P(Impact, MomentumAndAngularMomentumDoNotDrift)
 
 TEST(Simulation, TrajectoryConvergesInTheTimeStepAtSecondOrder)
 {
-  // Unbroken and without friction: sliding friction sees the velocity of half a step ago, which is first order.
-  Scene scene                                 = symmetric(small_scene());
-  scene.materials[0].critical_stretch         = 10.;
-  scene.contact.friction.static_coefficient   = 0.;
-  scene.contact.friction.kinetic_coefficient  = 0.;
+  // Unbroken and without friction: sliding friction sees the velocity of half a step ago, which is
+  // first order.
+  Scene scene                                = symmetric(small_scene());
+  scene.materials[0].critical_stretch        = 10.;
+  scene.contact.friction.static_coefficient  = 0.;
+  scene.contact.friction.kinetic_coefficient = 0.;
   Vector3 position[4];
   for (const int halving : {0, 1, 2, 3})
   {
@@ -90,19 +98,19 @@ TEST(Simulation, TrajectoryConvergesInTheTimeStepAtSecondOrder)
   for (const int halving : {0, 1})
     EXPECT_GT((position[halving] - position[halving + 1]).norm(),
               3. * (position[halving + 1] - position[halving + 2]).norm());
-  EXPECT_LT((position[0] - position[1]).norm(), 1e-3 * 1e-3);  // a thousandth of the spacing
+  EXPECT_LT((position[0] - position[1]).norm(), 1e-3 * 1e-3); // a thousandth of the spacing
 }
 
 class HalfModel : public testing::TestWithParam<Scene>
 {
 protected:
-  /// Both models with the same time step: the power iteration finds the limit of each to about 1 %, and
-  /// trajectories with different steps would differ by their discretisation error.
+  /// Both models with the same time step: the power iteration finds the limit of each to about 1 %,
+  /// and trajectories with different steps would differ by their discretisation error.
   void compare(const double critical_stretch, const int n_steps, const double tolerance)
   {
     Scene scene                         = GetParam();
     scene.materials[0].critical_stretch = critical_stretch;
-    Scene      half_scene               = symmetric(scene);
+    Scene half_scene                    = symmetric(scene);
     Simulation full(MPI_COMM_SELF, scene);
     half_scene.time.safety_factor *= full.dt() / Simulation(MPI_COMM_SELF, half_scene).dt();
     Simulation half(MPI_COMM_SELF, half_scene);
@@ -119,9 +127,10 @@ protected:
         EXPECT_LT((f.position - h.position).norm(), tolerance * 1e-3) << "step " << i;
         EXPECT_LT((f.spin - h.spin).norm(), tolerance * 1e4) << "step " << i;
         const auto e = full.energies(), g = half.energies();
-        for (const auto term : {&EnergyBalance::projectile, &EnergyBalance::kinetic, &EnergyBalance::strain,
-                                &EnergyBalance::contact, &EnergyBalance::debris, &EnergyBalance::friction,
-                                &EnergyBalance::fracture, &EnergyBalance::initial})
+        for (const auto term :
+             {&EnergyBalance::projectile, &EnergyBalance::kinetic, &EnergyBalance::strain,
+              &EnergyBalance::contact, &EnergyBalance::debris, &EnergyBalance::friction,
+              &EnergyBalance::fracture, &EnergyBalance::initial})
           EXPECT_NEAR(e.*term, g.*term, tolerance * e.initial) << "step " << i;
         EXPECT_EQ(full.broken_bonds(), half.broken_bonds());
         EXPECT_EQ(full.n_bonds(), 2. * half.n_bonds());
@@ -137,7 +146,8 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HalfModel, testing::Values(small_scene(), two_plates()),
-                         [](const auto &info) { return info.param.plates.size() > 1 ? "TwoPlates" : "OnePlate"; });
+                         [](const auto &info)
+                         { return info.param.plates.size() > 1 ? "TwoPlates" : "OnePlate"; });
 
 TEST_P(HalfModel, EqualsTheFullModelBeforeDamage)
 {
@@ -147,7 +157,8 @@ TEST_P(HalfModel, EqualsTheFullModelBeforeDamage)
 
 TEST_P(HalfModel, EqualsTheFullModelWithDamageAndDebris)
 {
-  // Colliding debris amplifies rounding about tenfold in 30 steps; 160 steps of 1e-16 stay below 1e-10.
+  // Colliding debris amplifies rounding about tenfold in 30 steps; 160 steps of 1e-16 stay below
+  // 1e-10.
   compare(/*critical_stretch=*/0.01, 160, 1e-10);
   EXPECT_GT(broken_bonds_, 30000.);
 }
@@ -198,7 +209,8 @@ TEST(Simulation, ProjectileStartsAtTheClearanceAboveTheEntryPoint)
     // The profile has 200 points along the nose.
     EXPECT_NEAR(simulation.projectile().bounding_box().first.z(), 0.1e-3, 1e-6);
     EXPECT_NEAR(simulation.projectile().pitch(), -angle * units::deg, 1e-12);
-    EXPECT_NEAR(simulation.projectile().motion().velocity.z(), -300. * std::sin(angle * units::deg), 1e-12 * 300.);
+    EXPECT_NEAR(simulation.projectile().motion().velocity.z(), -300. * std::sin(angle * units::deg),
+                1e-12 * 300.);
   }
 }
 
@@ -206,10 +218,12 @@ TEST(Simulation, FreeProjectileFliesStraight)
 {
   Scene scene            = small_scene();
   scene.impact.clearance = 5e-3; // touches nothing for 33 us
-  Simulation    simulation(MPI_COMM_SELF, scene);
-  const Vector3 start = simulation.projectile().motion().position, v = simulation.projectile().motion().velocity;
+  Simulation simulation(MPI_COMM_SELF, scene);
+  const Vector3 start = simulation.projectile().motion().position,
+                v     = simulation.projectile().motion().velocity;
   run(simulation, 29, 1000, [] {});
-  EXPECT_LT((simulation.projectile().motion().position - start - simulation.time() * v).norm(), 1e-16 * 30.);
+  EXPECT_LT((simulation.projectile().motion().position - start - simulation.time() * v).norm(),
+            1e-16 * 30.);
   EXPECT_EQ(simulation.step(), 30);
   EXPECT_NEAR(simulation.time(), 30 * simulation.dt(), 1e-14 * simulation.time());
   EXPECT_EQ(simulation.broken_bonds(), 0.);
@@ -220,7 +234,7 @@ TEST(Simulation, FieldThatIsNotANumberIsReportedWithItsPlace)
   Simulation simulation(MPI_COMM_SELF, small_scene());
   simulation.evaluate(false);
   EXPECT_NO_THROW(simulation.check_finite());
-  const auto    &l = simulation.plates()[0]->lattice();
+  const auto &l = simulation.plates()[0]->lattice();
   simulation.plates()[0]->state().arrays.velocity[1][l.index(3, 4, 5)] = std::nan("");
   try
   {

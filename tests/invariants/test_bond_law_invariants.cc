@@ -21,18 +21,16 @@ protected:
     sample.family           = GetParam();
     sample.n                = {6, 7, 5};
     sample.critical_stretch = critical_stretch;
-    sample.mask             = [](const int x, const int y, const int z) {
-      return x + y + z > 1 && !(x == 3 && y == 3 && z == 2);
-    };
+    sample.mask             = [](const int x, const int y, const int z)
+    { return x + y + z > 1 && !(x == 3 && y == 3 && z == 2); };
     return sample;
   }
 
   /// A displacement of up to a tenth of the spacing, one vector per point in the order of visits.
   static auto shaken(const unsigned int seed)
   {
-    return [random = Random(seed)](const Vector3 &X) mutable -> Vector3 {
-      return X + 0.1e-3 * random.vector();
-    };
+    return [random = Random(seed)](const Vector3 &X) mutable -> Vector3
+    { return X + 0.1e-3 * random.vector(); };
   }
 
   static std::vector<Vector3> forces(const PeridynamicForce &body)
@@ -51,14 +49,15 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Laws, BondLawInvariant, testing::ValuesIn(family_samples()),
-                         [](const auto &info) {
+                         [](const auto &info)
+                         {
                            return camel_case(info.param.law.law) + "With" +
                                   camel_case(name_of(info.param.influence_function));
                          });
 
 TEST_P(BondLawInvariant, ReferenceConfigurationIsFreeOfForce)
 {
-  const auto body = make_body(sample());
+  const auto body  = make_body(sample());
   const auto scale = force_scale(*body);
   deform(*body, [](const Vector3 &X) { return X; });
   // Bond lengths cancel to rounding, 1e-16 of the length against an extension of 0.1 of it.
@@ -71,13 +70,15 @@ TEST_P(BondLawInvariant, ForcesAndMomentsSumToZero)
   const auto body = make_body(sample());
   deform(*body, shaken(1));
   Vector3 sum = Vector3::Zero(), moment = Vector3::Zero();
-  double  total = 0., total_moment = 0.;
-  for_each_point(*body, [&](const std::ptrdiff_t p) {
-    sum += force(*body, p);
-    moment += position(*body, p).cross(force(*body, p));
-    total += force(*body, p).norm();
-    total_moment += position(*body, p).norm() * force(*body, p).norm();
-  });
+  double total = 0., total_moment = 0.;
+  for_each_point(*body,
+                 [&](const std::ptrdiff_t p)
+                 {
+                   sum += force(*body, p);
+                   moment += position(*body, p).cross(force(*body, p));
+                   total += force(*body, p).norm();
+                   total_moment += position(*body, p).norm() * force(*body, p).norm();
+                 });
   EXPECT_LT(sum.norm(), 1e-12 * total); // rounding of 200 summands
   EXPECT_LT(moment.norm(), 1e-12 * total_moment);
   EXPECT_GT(total, 0.);
@@ -87,20 +88,20 @@ TEST_P(BondLawInvariant, RigidMotionOfADeformedBodyTurnsItsForces)
 {
   const auto body = make_body(sample());
   deform(*body, shaken(2));
-  const auto   before = forces(*body);
+  const auto before   = forces(*body);
   const double energy = strain_energy(*body), scale = largest_force(*body);
   // A quarter turn, which maps the lattice axes onto each other, and one which does not.
   for (const double angle : {M_PI / 2., 0.7})
   {
     const Eigen::Matrix3d R =
-      Eigen::AngleAxisd(angle, Vector3(angle > 1. ? 0. : 0.3, angle > 1. ? 0. : -0.5, 1.).normalized())
-        .toRotationMatrix();
+        Eigen::AngleAxisd(angle,
+                          Vector3(angle > 1. ? 0. : 0.3, angle > 1. ? 0. : -0.5, 1.).normalized())
+            .toRotationMatrix();
     auto shake = shaken(2);
-    deform(*body, [&](const Vector3 &X) -> Vector3 {
-      return R * shake(X) + Vector3(4e-3, -7e-3, 2e-3);
-    });
+    deform(*body,
+           [&](const Vector3 &X) -> Vector3 { return R * shake(X) + Vector3(4e-3, -7e-3, 2e-3); });
     const auto after = forces(*body);
-    double     error = 0.;
+    double error     = 0.;
     for (std::size_t i = 0; i < before.size(); ++i)
       error = std::max(error, (after[i] - R * before[i]).norm());
     // Extensions are differences of coordinates a hundred times as large.
@@ -111,11 +112,11 @@ TEST_P(BondLawInvariant, RigidMotionOfADeformedBodyTurnsItsForces)
 
 TEST_P(BondLawInvariant, RigidMotionAloneGivesNoForce)
 {
-  const auto            body  = make_body(sample());
-  const double          scale = force_scale(*body);
+  const auto body    = make_body(sample());
+  const double scale = force_scale(*body);
   const Eigen::Matrix3d R =
-    Eigen::AngleAxisd(M_PI / 2., Vector3::UnitZ()).toRotationMatrix() *
-    Eigen::AngleAxisd(0.4, Vector3(1., 2., 3.).normalized()).toRotationMatrix();
+      Eigen::AngleAxisd(M_PI / 2., Vector3::UnitZ()).toRotationMatrix() *
+      Eigen::AngleAxisd(0.4, Vector3(1., 2., 3.).normalized()).toRotationMatrix();
   deform(*body, [&](const Vector3 &X) -> Vector3 { return R * X + Vector3(1e-3, 2e-3, 3e-3); });
   EXPECT_LT(largest_force(*body), 1e-12 * scale); // rounding of the rotated coordinates
 }
@@ -125,80 +126,85 @@ TEST_P(BondLawInvariant, ForceIsMinusTheGradientOfTheEnergy)
   const auto body = make_body(sample());
   deform(*body, shaken(3));
   const double scale = largest_force(*body);
-  const auto   f     = forces(*body);
-  auto        &x     = body->state().arrays.position;
+  const auto f       = forces(*body);
+  auto &x            = body->state().arrays.position;
 
-  // Central differences: truncation (h/dx)^2 = 1e-10, rounding 1e-16 of the energy over F h, 1e-10 too.
-  const double h   = 1e-8;
-  double       sum = 0.;
-  int          i   = 0;
-  for_each_point(*body, [&](const std::ptrdiff_t p) {
-    const Vector3 analytic = f[i++];
-    if (i % 17 != 1) // every 17th point, all directions: thirteen points of all kinds
-      return;
-    for (int d = 0; d < 3; ++d)
-    {
-      const double at_p = x[d][p];
-      double       difference[2];
-      for (const int side : {0, 1})
+  // Central differences: truncation (h/dx)^2 = 1e-10, rounding 1e-16 of the energy over F h, 1e-10
+  // too.
+  const double h = 1e-8;
+  double sum     = 0.;
+  int i          = 0;
+  for_each_point(
+      *body,
+      [&](const std::ptrdiff_t p)
       {
-        x[d][p] = at_p + (side ? h : -h);
-        body->evaluate(/*breaking=*/false, /*energy=*/true);
-        difference[side] = strain_energy(*body);
-      }
-      x[d][p] = at_p;
-      EXPECT_NEAR(analytic[d], -(difference[1] - difference[0]) / (2. * h), 1e-8 * scale);
-      sum += std::abs(analytic[d]);
-    }
-  });
+        const Vector3 analytic = f[i++];
+        if (i % 17 != 1) // every 17th point, all directions: thirteen points of all kinds
+          return;
+        for (int d = 0; d < 3; ++d)
+        {
+          const double at_p = x[d][p];
+          double difference[2];
+          for (const int side : {0, 1})
+          {
+            x[d][p] = at_p + (side ? h : -h);
+            body->evaluate(/*breaking=*/false, /*energy=*/true);
+            difference[side] = strain_energy(*body);
+          }
+          x[d][p] = at_p;
+          EXPECT_NEAR(analytic[d], -(difference[1] - difference[0]) / (2. * h), 1e-8 * scale);
+          sum += std::abs(analytic[d]);
+        }
+      });
   EXPECT_GT(sum, scale);
 }
 
 TEST_P(BondLawInvariant, MirrorImageHasMirroredForces)
 {
-  auto box = sample();
-  box.mask = {};
+  auto box        = sample();
+  box.mask        = {};
   // Centred about the origin, so that the body is its own image; the random displacements are not.
-  box.corner = -0.5 * box.spacing * Vector3(box.n[0], box.n[1], box.n[2]);
+  box.corner      = -0.5 * box.spacing * Vector3(box.n[0], box.n[1], box.n[2]);
   const auto body = make_body(box), image = make_body(box);
   deform(*body, shaken(4));
   const Lattice &l = body->lattice();
   for (int axis = 0; axis < 3; ++axis)
   {
-    const auto twin = [&](const std::ptrdiff_t p) {
+    const auto twin = [&](const std::ptrdiff_t p)
+    {
       auto c  = l.coordinates(p);
       c[axis] = box.n[axis] - 1 - c[axis];
       return l.index(c[0], c[1], c[2]);
     };
-    const auto reflect = [&](Vector3 v) {
+    const auto reflect = [&](Vector3 v)
+    {
       v[axis] *= -1.;
       return v;
     };
-    for_each_point(*image, [&](const std::ptrdiff_t p) {
-      set(image->state().arrays.position, p, reflect(position(*body, twin(p))));
-    });
+    for_each_point(*image, [&](const std::ptrdiff_t p)
+                   { set(image->state().arrays.position, p, reflect(position(*body, twin(p)))); });
     image->update_ghosts();
     image->evaluate(false, true);
     double error = 0.;
-    for_each_point(*image, [&](const std::ptrdiff_t p) {
-      error = std::max(error, (force(*image, p) - reflect(force(*body, twin(p)))).norm());
-    });
+    for_each_point(
+        *image, [&](const std::ptrdiff_t p)
+        { error = std::max(error, (force(*image, p) - reflect(force(*body, twin(p)))).norm()); });
     EXPECT_LT(error, 1e-13 * largest_force(*body)); // sums in another order
   }
 }
 
 TEST_P(BondLawInvariant, BrokenBondCarriesNothingAndNeverHeals)
 {
-  const auto body  = make_body(sample(/*critical_stretch=*/0.05));
-  const auto intact = make_body(sample());
-  const Lattice       &l      = body->lattice();
+  const auto body             = make_body(sample(/*critical_stretch=*/0.05));
+  const auto intact           = make_body(sample());
+  const Lattice &l            = body->lattice();
   const std::ptrdiff_t corner = l.index(5, 6, 4);
-  const Vector3        X      = reference(*body, corner);
+  const Vector3 X             = reference(*body, corner);
   // Outward along the diagonal every bond of the corner gets longer.
-  const auto pulled = [&](const double distance) {
-    return [&, distance](const Vector3 &Y) -> Vector3 {
-      return Y == X ? X + distance * Vector3::Ones() : Y;
-    };
+  const auto pulled           = [&](const double distance)
+  {
+    return [&, distance](const Vector3 &Y) -> Vector3
+    { return Y == X ? X + distance * Vector3::Ones() : Y; };
   };
   deform(*body, pulled(2e-3), /*breaking=*/true);
   EXPECT_GT(body->n_broken_entries(), 0u);
@@ -206,7 +212,8 @@ TEST_P(BondLawInvariant, BrokenBondCarriesNothingAndNeverHeals)
   const double bonds = body->count_bonds();
   EXPECT_LT(bonds, intact->count_bonds());
 
-  deform(*body, [](const Vector3 &Y) { return Y; }, /*breaking=*/true);
+  deform(
+      *body, [](const Vector3 &Y) { return Y; }, /*breaking=*/true);
   EXPECT_EQ(body->n_broken_entries(), 0u);
   EXPECT_EQ(body->count_bonds(), bonds);
   EXPECT_EQ(body->damage(corner), 1.);
@@ -222,41 +229,44 @@ TEST_P(BondLawInvariant, BrokenBondCarriesNothingAndNeverHeals)
 
 TEST_P(BondLawInvariant, BreakingIsTestedAlikeFromBothEnds)
 {
-  auto box   = sample(/*critical_stretch=*/0.03);
-  box.mask   = {};
-  box.corner = -0.5 * box.spacing * Vector3(box.n[0], box.n[1], box.n[2]);
+  auto box        = sample(/*critical_stretch=*/0.03);
+  box.mask        = {};
+  box.corner      = -0.5 * box.spacing * Vector3(box.n[0], box.n[1], box.n[2]);
   const auto body = make_body(box), inverted = make_body(box);
   deform(*body, shaken(5), /*breaking=*/true);
-  const Lattice &l    = body->lattice();
-  const auto     twin = [&](const std::ptrdiff_t p) {
+  const Lattice &l = body->lattice();
+  const auto twin  = [&](const std::ptrdiff_t p)
+  {
     const auto c = l.coordinates(p);
     return l.index(box.n[0] - 1 - c[0], box.n[1] - 1 - c[1], box.n[2] - 1 - c[2]);
   };
   // A point inversion makes the first end of each bond its second.
-  for_each_point(*inverted, [&](const std::ptrdiff_t p) {
-    set(inverted->state().arrays.position, p, -position(*body, twin(p)));
-  });
+  for_each_point(*inverted, [&](const std::ptrdiff_t p)
+                 { set(inverted->state().arrays.position, p, -position(*body, twin(p))); });
   inverted->update_ghosts();
   inverted->evaluate(/*breaking=*/true, true);
 
-  int         n_intact = 0, n_broken = 0;
+  int n_intact = 0, n_broken = 0;
   const auto &offsets = l.stencil().offsets;
-  for_each_point(*body, [&](const std::ptrdiff_t p) {
-    for (std::size_t k = 0; k < offsets.size(); ++k)
-    {
-      const auto           c = l.coordinates(p);
-      const auto          &o = offsets[k];
-      const std::array<int, 3> end{c[0] + o.x, c[1] + o.y, c[2] + o.z};
-      bool                 inside = true;
-      for (int d = 0; d < 3; ++d)
-        inside = inside && end[d] >= 0 && end[d] < box.n[d];
-      if (!inside)
-        continue;
-      const bool here = is_intact(*body, p, k);
-      EXPECT_EQ(here, is_intact(*inverted, twin(l.index(end[0], end[1], end[2])), k));
-      ++(here ? n_intact : n_broken);
-    }
-  });
+  for_each_point(*body,
+                 [&](const std::ptrdiff_t p)
+                 {
+                   for (std::size_t k = 0; k < offsets.size(); ++k)
+                   {
+                     const auto c  = l.coordinates(p);
+                     const auto &o = offsets[k];
+                     const std::array<int, 3> end{c[0] + o.x, c[1] + o.y, c[2] + o.z};
+                     bool inside = true;
+                     for (int d = 0; d < 3; ++d)
+                       inside = inside && end[d] >= 0 && end[d] < box.n[d];
+                     if (!inside)
+                       continue;
+                     const bool here = is_intact(*body, p, k);
+                     EXPECT_EQ(here,
+                               is_intact(*inverted, twin(l.index(end[0], end[1], end[2])), k));
+                     ++(here ? n_intact : n_broken);
+                   }
+                 });
   EXPECT_GT(n_intact, 100);
   EXPECT_GT(n_broken, 100);
 }

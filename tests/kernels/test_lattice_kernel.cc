@@ -19,10 +19,10 @@ enum class Form
 
 struct KernelCase
 {
-  BondLawSample     law;
-  const char       *instruction_set;
-  Form              form;
-  double            horizon_ratio;
+  BondLawSample law;
+  const char *instruction_set;
+  Form form;
+  double horizon_ratio;
   InfluenceFunction influence_function;
 };
 
@@ -51,12 +51,17 @@ std::string form_name(const Form form)
 }
 
 class LatticeKernel : public testing::TestWithParam<KernelCase>
-{};
+{
+};
 
-INSTANTIATE_TEST_SUITE_P(Cases, LatticeKernel, testing::ValuesIn(kernel_cases()), [](const auto &info) {
-  return camel_case(info.param.law.law) + "On" + camel_case(info.param.instruction_set) + "In" +
-         form_name(info.param.form) + "With" + camel_case(name_of(info.param.influence_function));
-});
+INSTANTIATE_TEST_SUITE_P(Cases, LatticeKernel, testing::ValuesIn(kernel_cases()),
+                         [](const auto &info)
+                         {
+                           return camel_case(info.param.law.law) + "On" +
+                                  camel_case(info.param.instruction_set) + "In" +
+                                  form_name(info.param.form) + "With" +
+                                  camel_case(name_of(info.param.influence_function));
+                         });
 
 TEST_P(LatticeKernel, AgreesWithTheFamilyByFamilyReference)
 {
@@ -65,39 +70,44 @@ TEST_P(LatticeKernel, AgreesWithTheFamilyByFamilyReference)
     GTEST_SKIP() << "this processor does not have " << test.instruction_set;
 
   constexpr double spacing = 1e-3, critical_stretch = 0.04;
-  BodySample       sample;
+  BodySample sample;
   sample.family           = {test.law, test.influence_function, test.horizon_ratio};
   sample.critical_stretch = critical_stretch;
   sample.instruction_set  = test.instruction_set;
   sample.n                = {7, 6, 5}; // no multiple of 8 anywhere: rows end inside blocks
   sample.mirror_y         = test.form == Form::mirrored;
   if (test.form == Form::with_holes)
-    sample.mask = [](const int x, const int y, const int z) { return (5 * x + 3 * y + 7 * z) % 11 != 0; };
+    sample.mask = [](const int x, const int y, const int z)
+    { return (5 * x + 3 * y + 7 * z) % 11 != 0; };
   const auto body = make_body(sample);
 
   // The reference knows no symmetry plane: it gets the other half as points of its own.
-  std::vector<Vector3>          X;
-  std::vector<std::ptrdiff_t>   flat;
+  std::vector<Vector3> X;
+  std::vector<std::ptrdiff_t> flat;
   std::map<std::ptrdiff_t, int> number; // of the body's points, images included
-  for_each_point(*body, [&](const std::ptrdiff_t p) {
-    number[p] = static_cast<int>(X.size());
-    X.push_back(reference(*body, p));
-    flat.push_back(p);
-  });
+  for_each_point(*body,
+                 [&](const std::ptrdiff_t p)
+                 {
+                   number[p] = static_cast<int>(X.size());
+                   X.push_back(reference(*body, p));
+                   flat.push_back(p);
+                 });
   const int n = static_cast<int>(X.size());
   if (sample.mirror_y)
     for (int i = 0; i < n; ++i)
       X.push_back({X[i].x(), -X[i].y(), X[i].z()});
-  body->lattice().for_each_image([&](const std::ptrdiff_t image, const std::ptrdiff_t original) {
-    if (number.count(original))
-      number[image] = number[original] + n;
-  });
+  body->lattice().for_each_image(
+      [&](const std::ptrdiff_t image, const std::ptrdiff_t original)
+      {
+        if (number.count(original))
+          number[image] = number[original] + n;
+      });
   ReferenceFamilies oracle(X, spacing, test.horizon_ratio, test.influence_function,
                            bond_law(test.law.law), test.law.bulk_modulus, test.law.shear_modulus);
 
-  Random    random(11);
+  Random random(11);
   const int n_offsets = static_cast<int>(body->lattice().stencil().offsets.size());
-  int       n_broken_before = 0;
+  int n_broken_before = 0;
   for (int round = 0; round < 3; ++round)
   {
     // Broken bonds accumulate over the rounds.
@@ -106,7 +116,8 @@ TEST_P(LatticeKernel, AgreesWithTheFamilyByFamilyReference)
       oracle.position[i] = X[i] + 0.03 * (round + 1) * spacing * random.vector();
       set(body->state().arrays.position, flat[i], oracle.position[i]);
       if (sample.mirror_y)
-        oracle.position[n + i] = {oracle.position[i].x(), -oracle.position[i].y(), oracle.position[i].z()};
+        oracle.position[n + i] = {oracle.position[i].x(), -oracle.position[i].y(),
+                                  oracle.position[i].z()};
     }
     oracle.break_bonds(critical_stretch);
     oracle.evaluate();
@@ -120,7 +131,8 @@ TEST_P(LatticeKernel, AgreesWithTheFamilyByFamilyReference)
       energy_scale = std::max(energy_scale, std::abs(oracle.energy[i]));
       theta_scale  = std::max(theta_scale, std::abs(oracle.dilatation[i]));
     }
-    // Extensions of a per cent of dx from coordinates of ten dx: 1e-16 * 10 / 0.01 = 1e-13, and sums of 122 terms.
+    // Extensions of a per cent of dx from coordinates of ten dx: 1e-16 * 10 / 0.01 = 1e-13, and
+    // sums of 122 terms.
     const auto &a = body->state().arrays;
     for (int i = 0; i < n; ++i)
     {
@@ -148,10 +160,12 @@ TEST_P(LatticeKernel, AgreesWithTheFamilyByFamilyReference)
     for (int i = 0; i < n; ++i)
       for (int k = 0; k < n_offsets; ++k)
       {
-        const auto q = number.find(flat[i] + body->lattice().shift(body->lattice().stencil().offsets[k]));
+        const auto q =
+            number.find(flat[i] + body->lattice().shift(body->lattice().stencil().offsets[k]));
         if (q == number.end())
           continue;
-        const auto from = body->lattice().coordinates(flat[i]), to = body->lattice().coordinates(q->first);
+        const auto from = body->lattice().coordinates(flat[i]),
+                   to   = body->lattice().coordinates(q->first);
         const auto &o   = body->lattice().stencil().offsets[k];
         if (to != std::array<int, 3>{from[0] + o.x, from[1] + o.y, from[2] + o.z})
         {
@@ -171,7 +185,8 @@ TEST_P(LatticeKernel, AgreesWithTheFamilyByFamilyReference)
       int gone = 0;
       for (const auto &neighbour : oracle.neighbours[i])
         gone += !neighbour.intact;
-      EXPECT_NEAR(body->damage(flat[i]), double(gone) / oracle.neighbours[i].size(), 1e-15); // 1 - x
+      EXPECT_NEAR(body->damage(flat[i]), double(gone) / oracle.neighbours[i].size(),
+                  1e-15); // 1 - x
     }
   }
 }
@@ -195,8 +210,8 @@ TEST(LatticeKernelTable, AdvanceKicksAndDriftsOwnedPointsOnly)
     sample.mirror_y        = true;
     sample.instruction_set = set_name;
     const auto body        = make_body(sample);
-    auto      &a           = body->state().arrays;
-    Random     random(3);
+    auto &a                = body->state().arrays;
+    Random random(3);
     for (std::ptrdiff_t p = 0; p < body->lattice().size(); ++p)
     {
       set(a.velocity, p, random.vector());
@@ -216,12 +231,14 @@ TEST(LatticeKernelTable, AdvanceKicksAndDriftsOwnedPointsOnly)
       if (body->lattice().owned(p))
       {
         const Vector3 velocity = v[p] + kick / body->point_mass() * f[p];
-        EXPECT_LT((at(a.velocity, p) - velocity).norm(), 1e-15 * velocity.norm() * 4.); // fused or not
-        EXPECT_LT((at(a.position, p) - (x[p] + drift * velocity)).norm(), 1e-17);        // metres of 1e-2
+        EXPECT_LT((at(a.velocity, p) - velocity).norm(),
+                  1e-15 * velocity.norm() * 4.);                                  // fused or not
+        EXPECT_LT((at(a.position, p) - (x[p] + drift * velocity)).norm(), 1e-17); // metres of 1e-2
         ++n_owned;
       }
       else
-        EXPECT_EQ((at(a.position, p) - x[p]).norm(), 0.) << "a point that is not integrated here moved";
+        EXPECT_EQ((at(a.position, p) - x[p]).norm(), 0.)
+            << "a point that is not integrated here moved";
     EXPECT_EQ(n_owned, 45);
   }
 }

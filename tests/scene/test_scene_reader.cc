@@ -212,6 +212,18 @@ TEST(SceneReader, OnlyOgiveAndConeHaveANoseLength)
                    3e-3); // half the diameter
 }
 
+TEST(SceneReader, ASphereHasADiameterOnly)
+{
+  const Scene scene =
+      read_with({"Projectile/Nose shape=sphere", "Projectile/Length=", "Projectile/Nose length=",
+                 "Projectile/Mass=", "Projectile/Density=7850 kg/m3"});
+  EXPECT_EQ(scene.projectile.shape.nose, NoseShape::sphere);
+  const double volume = 4. / 3. * M_PI * std::pow(3e-3, 3);
+  EXPECT_NEAR(scene.projectile.mass, 7850. * volume, 1e-12 * scene.projectile.mass); // rounding
+  expect_scene_error({"Projectile/Nose shape=sphere", "Projectile/Nose length="},
+                     {"Length", "'sphere'", "Remove"});
+}
+
 TEST(SceneReader, DensityTimesVolumeGivesTheMass)
 {
   const Scene scene =
@@ -359,7 +371,7 @@ TEST(SceneReader, OverrideDoesNotInventPlatesOrMaterials)
 TEST(SceneReader, AllMissingEntriesAreListedAtOnce)
 {
   expect_text_error("subsection Plate 1\n  set Material = steel\nend\n",
-                    {"scene.prm: 16 entries", "subsection Projectile\n    set Nose shape = ogive\n",
+                    {"scene.prm: 15 entries", "subsection Projectile\n    set Nose shape = ogive\n",
                      "set Diameter = 6.17 mm\n", "set Speed = 720 m/s\n",
                      "set Size = 200 mm, 100 mm, 30 mm\n", "subsection Material steel\n",
                      "set Final time = 450 us\n  end", "ricochet template"});

@@ -36,7 +36,8 @@ Stencil make_stencil(double spacing, double horizon_ratio, InfluenceFunction inf
 FamilyConstants family_constants(const Stencil &stencil, double bulk_modulus, double shear_modulus);
 
 /// Energy to break all bonds across a unit area, each at the stretch 1, under uniform dilation
-/// [J/m^2]: the critical stretch is sqrt(G_c / this). For a full sphere and mu = 3K/5 it reduces to
-/// Silling and Askari 2005, equation 27.
-double fracture_energy_per_squared_stretch(const Stencil &stencil, double bulk_modulus);
+/// [J/m^2]: the critical stretch is sqrt(G_c / this). Summed over the lattice. For the microelastic
+/// law with omega = 1 and a full sphere it is 9 K delta/5, Silling and Askari 2005, equation 27.
+double fracture_energy_per_squared_stretch(const Stencil &stencil, const BondLaw &law,
+                                           double bulk_modulus, double shear_modulus);
 } // namespace ricochet

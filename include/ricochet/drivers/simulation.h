@@ -76,7 +76,7 @@ public:
   MomentumBalance momenta() const;
   double broken_bonds() const; // each once, both halves; collective
   double n_points() const;     // of the full or half model as computed; collective
-  double n_bonds() const;      // intact ones now; collective
+  double n_bonds() const;      // intact now, of the half model as computed; collective
 
   /// Throws RunError naming point, field and time if a field of this or another rank is not finite.
   /// Collective.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A projectile's shape: a cylinder with an ogive, cone, hemisphere or flat nose. Signed distance
-// with normal and the surface hit, volume, centroid and moments of inertia. Body axes: x along the
-// axis of revolution towards the tip, origin at the centroid.
+// A projectile's shape: a cylinder with an ogive, cone, hemisphere or flat nose, or a sphere.
+// Signed distance with normal and the surface hit, volume, centroid and moments of inertia. Body
+// axes: x along the axis of revolution towards the tip, origin at the centroid.
 #pragma once
 
 #include "ricochet/geometry/vector.h"
@@ -16,7 +16,8 @@ enum class NoseShape
   ogive,
   cone,
   hemisphere,
-  flat
+  flat,
+  sphere // all nose
 };
 
 class BodyOfRevolution
@@ -26,8 +27,8 @@ public:
   {
     NoseShape nose;
     double diameter;    // [m]
-    double length;      // base to tip [m]
-    double nose_length; // [m]; diameter/2 for a hemisphere, 0 for a flat nose
+    double length;      // base to tip [m]; diameter for a sphere, whatever is given
+    double nose_length; // [m]; diameter/2 for a hemisphere, 0 if flat, diameter for a sphere
   };
 
   enum class Surface
