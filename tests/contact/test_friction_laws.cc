@@ -35,6 +35,14 @@ TEST(ExponentialFriction, FallsToTheKineticCoefficient)
   EXPECT_NEAR(law->coefficient(1e4), 0.05, 1e-15);
 }
 
+TEST(HyperbolicFriction, HalfOfTheWayIsLostAtTheInverseDecay)
+{
+  const auto law = make_friction_law({"hyperbolic", 0.5, 0.1, 0.02, 5.});
+  // mu_inf + (mu_0 - mu_inf)/(1 + gamma v)
+  EXPECT_DOUBLE_EQ(law->coefficient(50.), 0.3);
+  EXPECT_DOUBLE_EQ(law->coefficient(950.), 0.1 + 0.4 / 20.);
+}
+
 TEST(ConstantFriction, DoesNotDependOnTheSpeed)
 {
   const auto law = make_friction_law({"constant", 0.2, 0.1, 0.5, 5.});

@@ -5,6 +5,7 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/contact/constant_friction.h"
 #include "ricochet/contact/exponential_friction.h"
+#include "ricochet/contact/hyperbolic_friction.h"
 
 #include <memory>
 #include <vector>
@@ -30,6 +31,7 @@ inline const std::vector<FrictionLawEntry> &friction_laws()
   static const std::vector<FrictionLawEntry> laws{
       friction_law_entry<ExponentialFriction>(),
       friction_law_entry<ConstantFriction>(),
+      friction_law_entry<HyperbolicFriction>(),
   };
   return laws;
 }

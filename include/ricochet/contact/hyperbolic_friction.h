@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Friction that falls like 1/v at high speed, mu(v) = mu_inf + (mu_0 - mu_inf)/(1 + gamma v): the
+// hyperbolic fit to sliding tests up to some 100 m/s. Its tail is longer than the exponential
+// law's.
+#pragma once
+
+#include "ricochet/contact/friction_law.h"
+
+namespace ricochet
+{
+class HyperbolicFriction : public FrictionLaw
+{
+public:
+  static constexpr const char *name = "hyperbolic";
+
+  explicit HyperbolicFriction(const FrictionParameters &parameters) :
+    mu_0(parameters.static_coefficient), mu_inf(parameters.kinetic_coefficient),
+    gamma(parameters.decay)
+  {
+  }
+
+  double coefficient(const double speed) const override
+  {
+    return mu_inf + (mu_0 - mu_inf) / (1. + gamma * speed);
+  }
+
+private:
+  double mu_0;   // [-]
+  double mu_inf; // [-]
+  double gamma;  // [s/m]
+};
+} // namespace ricochet
