@@ -324,7 +324,7 @@ TEST(SceneReader, NamesOutsideTheMenusShowTheMenu)
 {
   expect_scene_error({"Plate 1/Influence function=kone"},
                      {"'kone'", "did you mean 'cone'?", "gaussian"});
-  expect_scene_error({"Contact/Friction law=coulomb"}, {"'coulomb'", "exponential or constant"});
+  expect_scene_error({"Contact/Friction law=coulomb"}, {"'coulomb'", "exponential", "constant"});
   expect_scene_error({"Material PMMA/Bond model=linear"},
                      {"'linear'", "linear peridynamic solid", "microelastic brittle"});
   expect_scene_error({"Projectile/Nose shape=ogiv"}, {"did you mean 'ogive'?", "hemisphere"});
