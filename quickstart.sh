@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 packages=(cmake g++ ninja-build libdeal.ii-dev libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libeigen3-dev
-  nlohmann-json3-dev libcli11-dev libgtest-dev python3-matplotlib python3-h5py)
+  libnanoflann-dev nlohmann-json3-dev libcli11-dev libgtest-dev python3-matplotlib python3-h5py)
 what=${1:-run}
 case $what in
   run | test) ;;

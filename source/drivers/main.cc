@@ -3,6 +3,7 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/drivers/bench.h"
 #include "ricochet/drivers/bench_elements.h"
+#include "ricochet/drivers/bench_search.h"
 #include "ricochet/drivers/check.h"
 #include "ricochet/drivers/run.h"
 #include "ricochet/drivers/study.h"
@@ -31,6 +32,7 @@ struct Arguments
   StudyOptions study;
   KernelBenchOptions bench;
   ElementBenchOptions elements;
+  SearchBenchOptions search;
 };
 
 ParameterFile parameter_file(const Arguments &arguments)
@@ -94,6 +96,28 @@ void declare(CLI::App &app, Arguments &arguments)
   elements->add_option("--instruction-set", arguments.elements.instruction_set,
                        "avx512, avx2 or baseline; default: the best one");
 
+  auto *search = bench->add_subcommand("search", "the contact searches; also under mpirun -np N");
+  search->add_flag("--json", arguments.search.json, "one JSON object per row");
+  search->add_option("--points", arguments.search.points, "numbers of points, comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  search->add_option("--radius", arguments.search.radius, "search radius, as \"3 mm\"")
+      ->capture_default_str();
+  search->add_option("--edge", arguments.search.edge, "edge of the cube")->capture_default_str();
+  search
+      ->add_option("--arrangement", arguments.search.arrangements,
+                   "random and lattice, or one of them")
+      ->delimiter(',')
+      ->capture_default_str();
+  search->add_option("--repeats", arguments.search.repeats, "timed repeats, the median counts")
+      ->capture_default_str();
+  search
+      ->add_option("--brute-force-up-to", arguments.search.most_for_brute_force,
+                   "points above which brute force is left out")
+      ->capture_default_str();
+  search->add_option("--plot", arguments.search.picture,
+                     "draw seconds over points into this PNG; the rows go beside it, as .jsonl");
+
   app.add_subcommand("template", "print a commented parameter file");
 }
 
@@ -118,6 +142,8 @@ int execute(const CLI::App &app, const Arguments &arguments)
       bench_kernel(communicator, arguments.bench);
     if (bench.got_subcommand("elements"))
       bench_elements(communicator, arguments.elements);
+    if (bench.got_subcommand("search"))
+      bench_search(communicator, arguments.search);
   }
   if (app.got_subcommand("template") && rank_in(communicator) == 0)
     print_template(std::cout);

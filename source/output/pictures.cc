@@ -16,7 +16,7 @@
 #include <vector>
 
 #ifndef RICOCHET_SCRIPT_DIR
-#error "RICOCHET_SCRIPT_DIR must name the folder of plot_run.py"
+#error "RICOCHET_SCRIPT_DIR must name the folder of plot_run.py and plot_search.py"
 #endif
 
 extern char **environ;
@@ -25,7 +25,7 @@ namespace ricochet
 {
 namespace
 {
-const int missing_module = 3; // exit status of plot_run.py if matplotlib or h5py are not installed
+const int missing_module = 3; // exit status of the scripts if matplotlib or h5py are not installed
 
 struct Outcome
 {
@@ -104,11 +104,11 @@ std::string last_line(std::string text)
   return text.substr(text.rfind('\n') + 1); // npos + 1 is 0
 }
 
-bool draw(const std::filesystem::path &directory, const bool quiet)
+bool draw(const char *name, const std::vector<std::filesystem::path> &paths, const bool quiet)
 {
   const char *folder = std::getenv("RICOCHET_SCRIPT_DIR");
   const std::filesystem::path script =
-      std::filesystem::path(folder ? folder : RICOCHET_SCRIPT_DIR) / "plot_run.py";
+      std::filesystem::path(folder ? folder : RICOCHET_SCRIPT_DIR) / name;
   std::error_code error;
   if (!std::filesystem::is_regular_file(script, error))
   {
@@ -120,9 +120,10 @@ bool draw(const std::filesystem::path &directory, const bool quiet)
 
   // Absolute, so that a folder whose name begins with a dash is not taken for an option. Debian's
   // own python comes first, because another one in the path does not see Debian's matplotlib.
-  const std::vector<std::string> arguments = {script.string(),
-                                              std::filesystem::absolute(directory).string()};
-  Outcome outcome                          = run("/usr/bin/python3", arguments);
+  std::vector<std::string> arguments = {script.string()};
+  for (const auto &path : paths)
+    arguments.push_back(std::filesystem::absolute(path).string());
+  Outcome outcome = run("/usr/bin/python3", arguments);
   if (outcome.status == -1 || outcome.status == missing_module)
   {
     const Outcome other = run("python3", arguments);
@@ -139,8 +140,8 @@ bool draw(const std::filesystem::path &directory, const bool quiet)
   if (outcome.status == missing_module || outcome.status == -1)
     std::cerr << "No pictures: they need python3 with matplotlib and h5py (apt install "
                  "python3-matplotlib "
-                 "python3-h5py), then plot_run.py "
-              << directory.string() << "\n";
+                 "python3-h5py), then "
+              << name << " " << paths[0].string() << "\n";
   else
     std::cerr << "No pictures: " << script.string() << " failed: " << last_line(outcome.text)
               << "\n";
@@ -151,7 +152,16 @@ bool draw(const std::filesystem::path &directory, const bool quiet)
 bool draw_pictures(const MPI_Comm comm, const std::filesystem::path &directory, const bool quiet)
 {
   int drawn = 0;
-  on_first_rank(comm, [&] { drawn = draw(directory, quiet); });
+  on_first_rank(comm, [&] { drawn = draw("plot_run.py", {directory}, quiet); });
+  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
+  return drawn != 0;
+}
+
+bool draw_search_plot(const MPI_Comm comm, const std::filesystem::path &rows,
+                      const std::filesystem::path &picture, const bool quiet)
+{
+  int drawn = 0;
+  on_first_rank(comm, [&] { drawn = draw("plot_search.py", {rows, picture}, quiet); });
   MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
   return drawn != 0;
 }

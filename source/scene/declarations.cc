@@ -2,6 +2,7 @@
 #include "ricochet/scene/declarations.h"
 
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/forces/contact_search.h"
 #include "ricochet/materials/bond_laws.h"
 #include "ricochet/materials/influence_function.h"
 
@@ -86,25 +87,27 @@ SectionDeclaration top(const std::string &stem)
 
 SectionDeclaration projectile()
 {
-  return {"Projectile",
-          "The projectile: a rigid body of revolution.",
-          {required("Nose shape", choice({"ogive", "cone", "hemisphere", "flat"}), "ogive",
-                    "Shape of the nose in front of the cylindrical shank"),
-           required("Diameter", quantity(Dimension::length, Limit::positive), "6.17 mm",
-                    "Diameter of the shank"),
-           required("Length", quantity(Dimension::length, Limit::positive), "27.6 mm",
-                    "Length from the base to the tip"),
-           optional("Nose length", quantity(Dimension::length, Limit::positive), "10.23 mm",
-                    "Length of an ogive or cone, a part of the length"),
-           optional("Caliber radius head", quantity(Dimension::number, Limit::positive), "3",
-                    "Instead of an ogive's nose length, the radius of its arc in diameters"),
-           optional("Mass", quantity(Dimension::mass, Limit::positive), "5.25 g",
-                    "Mass of the whole projectile"),
-           optional("Density", quantity(Dimension::density, Limit::positive), "7850 kg/m3",
-                    "Instead of the mass, the density of the homogeneous projectile")},
-          {{{{"Nose length"}, {"Caliber radius head"}}, "Nose shape", {"ogive"}},
-           {{{"Nose length"}}, "Nose shape", {"cone"}},
-           {{{"Mass"}, {"Density"}}}}};
+  return {
+      "Projectile",
+      "The projectile: a rigid body of revolution.",
+      {required("Nose shape", choice({"ogive", "cone", "hemisphere", "flat", "sphere"}), "ogive",
+                "Shape of the nose in front of the cylindrical shank, or a whole sphere"),
+       required("Diameter", quantity(Dimension::length, Limit::positive), "6.17 mm",
+                "Diameter of the shank"),
+       optional("Length", quantity(Dimension::length, Limit::positive), "27.6 mm",
+                "Length from the base to the tip"),
+       optional("Nose length", quantity(Dimension::length, Limit::positive), "10.23 mm",
+                "Length of an ogive or cone, a part of the length"),
+       optional("Caliber radius head", quantity(Dimension::number, Limit::positive), "3",
+                "Instead of an ogive's nose length, the radius of its arc in diameters"),
+       optional("Mass", quantity(Dimension::mass, Limit::positive), "5.25 g",
+                "Mass of the whole projectile"),
+       optional("Density", quantity(Dimension::density, Limit::positive), "7850 kg/m3",
+                "Instead of the mass, the density of the homogeneous projectile")},
+      {{{{"Length"}}, "Nose shape", {"ogive", "cone", "hemisphere", "flat"}},
+       {{{"Nose length"}, {"Caliber radius head"}}, "Nose shape", {"ogive"}},
+       {{{"Nose length"}}, "Nose shape", {"cone"}},
+       {{{"Mass"}, {"Density"}}}}};
 }
 
 SectionDeclaration impact()
@@ -203,7 +206,9 @@ SectionDeclaration contact()
        with_default("Debris stiffness factor", quantity(Dimension::number, Limit::not_negative),
                     "15",
                     "Repulsion of separated points, in units of the short-range stiffness; 0 "
-                    "switches it off")},
+                    "switches it off"),
+       with_default("Search method", choice(contact_search_names()), "linked cells",
+                    "How separated points that touch are found; the result is the same")},
       {{{{"Kinetic friction", "Friction decay"}}, "Friction law", decaying_laws}}};
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 namespace ricochet
 {
@@ -87,11 +88,13 @@ std::vector<SectionDeclaration> sections_of(const ParameterFile &file)
 
 NoseShape nose_shape(const std::string &name)
 {
-  if (name == "ogive")
-    return NoseShape::ogive;
-  if (name == "cone")
-    return NoseShape::cone;
-  return name == "hemisphere" ? NoseShape::hemisphere : NoseShape::flat;
+  // The pattern of the entry lets no other word through.
+  static const std::map<std::string, NoseShape> shapes{{"ogive", NoseShape::ogive},
+                                                       {"cone", NoseShape::cone},
+                                                       {"hemisphere", NoseShape::hemisphere},
+                                                       {"flat", NoseShape::flat},
+                                                       {"sphere", NoseShape::sphere}};
+  return shapes.at(name);
 }
 
 BodyOfRevolution::Shape read_shape(const Parameters &parameters)
@@ -103,9 +106,11 @@ BodyOfRevolution::Shape read_shape(const Parameters &parameters)
                                 parameters.quantity(in, "Nose length")};
 
   const bool has_length = shape.nose == NoseShape::ogive || shape.nose == NoseShape::cone;
-  for (const std::string entry : {"Nose length", "Caliber radius head"})
+  for (const std::string entry : {"Length", "Nose length", "Caliber radius head"})
     if (parameters.is_given(in, entry) &&
-        (!has_length || (shape.nose == NoseShape::cone && entry == "Caliber radius head")))
+        (entry == "Length"
+             ? shape.nose == NoseShape::sphere
+             : !has_length || (shape.nose == NoseShape::cone && entry == "Caliber radius head")))
       parameters.fail(in, entry, "The nose shape '" + name + "' does not have this entry.",
                       "Remove the line, or take an included one back with 'set " + entry + " ='.");
 
@@ -287,10 +292,12 @@ ContactParameters read_contact(const Parameters &parameters)
       parameters.text(in, "Friction law"), parameters.quantity(in, "Static friction"),
       parameters.quantity(in, "Kinetic friction"), parameters.quantity(in, "Friction decay"),
       parameters.quantity(in, "Regularisation speed")};
-  return {parameters.quantity(in, "Stiffness factor"), friction,
+  return {parameters.quantity(in, "Stiffness factor"),
+          friction,
           parameters.quantity(in, "Shank resistance"),
           parameters.quantity(in, "Shank contact fraction"),
-          parameters.quantity(in, "Debris stiffness factor")};
+          parameters.quantity(in, "Debris stiffness factor"),
+          parameters.text(in, "Search method")};
 }
 
 TimeParameters read_time(const Parameters &parameters)

@@ -3,15 +3,22 @@
 // interpenetrate, and bodies touch. Per pair
 //   f = k (d - r) for r < d,   d = min(0.9 |X_j - X_i|, 1.35 dx),   k = factor 18 K V^2 / (pi
 //   delta^5)
-// Two kinds of pairs: those whose bond is broken are known from the lattice, from the moment of
-// breaking; all others (foreign points) are found by a cell search among damaged and surface
-// points, refreshed before any point can have crossed the skin.
+// Two points of one body repel if their bond is broken, or if they never had one and at least one of
+// them is damaged; points of different bodies always do.
+//
+// Every few steps all pairs that can touch before the next search are listed: each point may travel
+// its own reach, as far as its present speed suggests. The few points that leave their reach earlier,
+// fragments that something has hit, are searched again one by one; only when they are many, all are.
+// So no contact is missed, and fast fragments do not make the others' lists long or short-lived. Pairs
+// of two sound points are not listed far from damage; where a point there breaks a bond it is searched
+// again too. Bonds that break are added at once. The lists are kept in one order, so forces do not
+// depend on when and how has been searched.
 #pragma once
 
 #include "ricochet/discretization/plane_sums.h"
-#include "ricochet/forces/peridynamic_force.h"
+#include "ricochet/forces/contact_search.h"
 
-#include <memory>
+#include <unordered_map>
 
 namespace ricochet
 {
@@ -19,55 +26,127 @@ class DebrisContact
 {
 public:
   /// `factor` 0 switches the contact off. The bodies must outlive this object. `mirrored`: y = 0 is
-  /// a symmetry plane.
-  DebrisContact(MPI_Comm communicator, const std::vector<std::unique_ptr<PeridynamicForce>> &bodies,
-                double factor, bool mirrored);
+  /// a symmetry plane. `search`: one of contact_search_names(); throws InputError for another one.
+  DebrisContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
+                const std::string &search = "linked cells");
   ~DebrisContact();
 
-  /// Adds repulsion to the bodies' forces. `dt`: the coming step [s], which tells when the pairs
-  /// must be searched again. Collective.
+  /// Adds repulsion to the bodies' forces. `dt`: the coming step [s], which tells how far points may
+  /// get before the pairs are searched again. Collective.
   void evaluate(double dt);
 
   /// Energy stored in the repulsion, both halves [J]. Collective.
   double energy() const;
 
+  /// Pairs that touch; a point and an image count as half of one. Collective.
+  double n_touching() const;
+  /// How often all pairs have been searched, and how many points have been searched alone.
+  long n_searches() const { return n_searches_; }
+  long n_single_searches() const { return n_single_searches_; }
+
   /// Upper bound of the squared frequency which this contact adds to a point of the body [1/s^2].
   double squared_frequency(const PeridynamicForce &body) const;
 
 private:
-  struct Cloud; // the points which take part in the search
-
   /// A pair of former neighbours: flat indices of one body.
   struct BondPair
   {
     std::int32_t p, q;
     double distance; // d [m]
   };
+  /// Two points that have never been neighbours, by their numbers in watched_.
   struct ForeignPair
   {
-    std::int32_t a, b; // numbers in the cloud
-    double distance;   // [m]
-    double stiffness;  // [N/m]
+    std::int32_t a, b;
+    bool one_body;
+    double distance;  // d [m]
+    double stiffness; // k [N/m]
+  };
+  /// A point of this rank, or its image across y = 0.
+  struct Follower
+  {
+    std::int32_t flat; // index in the body's lattice
+    std::int16_t body;
+    bool image;
+  };
+  /// Two points that touch now.
+  struct Contact
+  {
+    std::int64_t key_1, key_2; // order the contacts
+    Follower first, second;    // flat < 0: not a point of this rank
+    double force[3];           // on the second, minus that on the first [N]
+    double energy;             // [J]
+  };
+  /// A point of a foreign pair as it is now.
+  struct Watched
+  {
+    double position[3]; // [m]
+    double damaged;     // 0 or 1
+  };
+  struct Box
+  {
+    double low[3], high[3]; // [m]
+  };
+  /// Where a body's points were when they were last searched, how far they may get from there, and
+  /// whether all their pairs are known or only those with points that are active themselves.
+  struct Journey
+  {
+    std::vector<double> start[3]; // [m], from the first owned entry on; NaN where there is no point
+    std::vector<double> reach;    // [m]
+    std::vector<char> active;
+    std::vector<Box> boxes; // of `chunk` entries each: the points in them stay inside
+  };
+  /// A pair that may become one of the lists: a point of this rank and any other.
+  struct NewPair
+  {
+    ContactPoint own, other;
   };
 
   double contact_distance(double reference_distance, double spacing) const; // d [m]
-  void refresh();
+  void start_journey(std::size_t body, std::ptrdiff_t p, double dt);
+  void list_pairs(double dt);
+  std::vector<ContactPoint> strays(double dt);
   void append_broken();
-  void update_cloud();
-  void search();
-  template <class Visitor>
-  void for_each_contact(Visitor &&visit) const;
+  void search_all(double dt);
+  void search_again(const std::vector<ContactPoint> &strays);
+  std::vector<ContactPoint> points_near(const ContactPoint &point) const;
+  void begin_journeys(double dt);
+  void mark_active_near_damage(std::size_t body);
+  void mark_active_in_box(std::size_t body, const double *corner);
+  ContactPoint contact_point(std::size_t body, std::ptrdiff_t p,
+                             const std::array<int, 3> &place) const;
+  ContactPoint image_of(ContactPoint point) const;
+  void add_own_points(ContactCandidates &candidates) const;
+  void add_images(ContactCandidates &candidates) const;
+  void add(const ContactPoint &one, const ContactPoint &other);
+  void add_bond_pair(const ContactPoint &lower, const ContactPoint &higher, int offset);
+  void add_foreign_pair(const ContactPoint &lower, const ContactPoint &higher);
+  std::int32_t number_of(const ContactPoint &point);
+  void watch();
+  Watched look_at(const Follower &follower) const;
+  void update_watched();
+  void find_contacts();
 
   MPI_Comm communicator_;
-  const std::vector<std::unique_ptr<PeridynamicForce>> &bodies_;
+  int rank_, n_ranks_;
+  const Bodies &bodies_;
   double factor_;
   std::vector<double> stiffness_; // k of each body [N/m]
   bool mirrored_;
-  double skin_;           // [m]
-  double travelled_ = 0.; // since the last search, of the fastest pair [m]
-  bool searched_    = false;
-  std::vector<std::vector<BondPair>> bond_pairs_; // per body
-  std::vector<ForeignPair> foreign_pairs_;
-  std::unique_ptr<Cloud> cloud_;
+  ContactNumbering numbering_;
+  double spacing_, range_; // the largest dx and d of all bodies [m]
+  std::unique_ptr<ContactSearch> search_;
+
+  long n_searches_ = 0, n_single_searches_ = 0;
+  std::vector<Journey> journeys_;                 // per body
+  std::vector<std::vector<BondPair>> bond_pairs_; // per body; some may be listed twice
+  std::vector<ForeignPair> foreign_pairs_;        // likewise
+  std::vector<ContactPoint> watched_points_;      // as they were when found
+  std::unordered_map<std::int64_t, std::int32_t> watched_numbers_; // by id
+  std::vector<Watched> watched_;
+  std::vector<Follower> followers_; // what watched_ follows; flat < 0: a point of another rank
+  std::vector<std::vector<std::int32_t>> watched_of_; // other ranks' points, per rank
+  std::vector<std::vector<Follower>> watched_by_;     // this rank's points, per rank
+  std::vector<Contact> contacts_;
 };
 } // namespace ricochet

@@ -14,4 +14,9 @@ namespace ricochet
 /// environment variable RICOCHET_SCRIPT_DIR, or else in the one compiled in, and says in one line
 /// what it drew (unless quiet) or why it could not. Collective.
 bool draw_pictures(MPI_Comm comm, const std::filesystem::path &directory, bool quiet);
+
+/// The same with plot_search.py: draws the PNG `picture` from the rows of `ricochet bench search
+/// --json`, one JSON object per line. Collective.
+bool draw_search_plot(MPI_Comm comm, const std::filesystem::path &rows,
+                      const std::filesystem::path &picture, bool quiet);
 } // namespace ricochet

@@ -57,6 +57,7 @@ struct ContactParameters
   double shank_resistance;       // A, target resistance on the shank [Pa]
   double shank_contact_fraction; // k, 0 switches shank friction off [-]
   double debris_factor; // of the short-range stiffness 18 K/(pi delta^4), 0 switches off [-]
+  std::string search = "linked cells"; // one of contact_search_names() in forces/contact_search.h
 };
 
 struct TimeParameters

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draw seconds over points from the rows of `ricochet bench search --json`.
+
+    plot_search.py ROWS.jsonl PICTURE.png
+
+ROWS.jsonl has one JSON object per line. One panel per arrangement; colours tell the methods, filled marks and solid
+lines one process, open marks and broken lines several. Exit status: 0 drawn, 1 nothing to draw or a damaged file,
+2 wrong use, 3 matplotlib not installed.
+"""
+
+import json
+import sys
+
+try:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+except ImportError as error:
+    print(f"plot_search.py: {error}; apt install python3-matplotlib", file=sys.stderr)
+    sys.exit(3)
+
+# Colours of Okabe and Ito, distinguishable with every kind of colour vision; marks tell the methods too.
+METHODS = {
+    "brute force": ("#000000", "s"),
+    "kd-tree": ("#E69F00", "^"),
+    "hybrid": ("#D55E00", "D"),
+    "linked cells": ("#0072B2", "o"),
+}
+OTHER = ("#777777", "v")
+
+STYLE = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.labelsize": 9,
+    "axes.linewidth": 0.7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "lines.linewidth": 1.4,
+    "lines.markersize": 4.5,
+    "legend.frameon": False,
+    "legend.fontsize": 8,
+    "savefig.dpi": 200,
+}
+
+
+def read_rows(path):
+    """The JSON objects of a file, those of blank lines left out."""
+    with open(path, encoding="utf-8") as file:
+        return [json.loads(line) for line in file if line.strip()]
+
+
+def draw_panel(axes, rows):
+    """Seconds over points for every method and number of processes."""
+    several = max(row["processes"] for row in rows)
+    for method in sorted({row["method"] for row in rows}, key=lambda name: list(METHODS).index(name) if name in METHODS else 99):
+        color, marker = METHODS.get(method, OTHER)
+        for processes in sorted({row["processes"] for row in rows}):
+            line = sorted((row["points"], row["seconds"]) for row in rows
+                          if row["method"] == method and row["processes"] == processes)
+            if not line:
+                continue
+            one = processes == 1
+            label = method if several == 1 else f"{method}, {processes} process{'' if one else 'es'}"
+            axes.loglog(*zip(*line), color=color, marker=marker, linestyle="-" if one else "--",
+                        markerfacecolor=color if one else "white", label=label)
+    axes.grid(color="#E3E3E3", linewidth=0.6)
+    axes.set_axisbelow(True)
+    axes.set_xlabel("points")
+
+
+def main(arguments):
+    """Draw what there is."""
+    if len(arguments) != 3:
+        print(__doc__.strip())
+        return 0 if "-h" in arguments or "--help" in arguments else 2
+    try:
+        rows = read_rows(arguments[1])
+        arrangements = sorted({row["arrangement"] for row in rows}, reverse=True)
+        if not rows:
+            raise ValueError("no rows")
+        plt.rcParams.update(STYLE)
+        figure, panels = plt.subplots(1, len(arrangements), figsize=(4.2 * len(arrangements) + 0.4, 3.6), sharey=True,
+                                      squeeze=False, layout="constrained")
+        for axes, arrangement in zip(panels[0], arrangements):
+            chosen = [row for row in rows if row["arrangement"] == arrangement]
+            draw_panel(axes, chosen)
+            axes.set_title(f"{arrangement}: all pairs closer than {1e3 * chosen[0]['radius_m']:g} mm "
+                           f"in a cube of {1e3 * chosen[0]['edge_m']:g} mm", loc="left", size=8)
+        panels[0][0].set_ylabel("seconds")
+        panels[0][0].legend(loc="upper left", handlelength=2.4, labelspacing=0.3)
+        figure.savefig(arguments[2])
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        print(f"plot_search.py: {arguments[1]}: {error}", file=sys.stderr)
+        return 1
+    print("Picture: " + arguments[2])
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))
