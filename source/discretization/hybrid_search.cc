@@ -75,7 +75,8 @@ void HybridSearch::find(const std::vector<Vector3> &points, const std::vector<ch
   const double reach = radius * (1. + 1e-9);
   routes_.assign(n_ranks_, {});
   for (std::size_t i = 0; i < points.size(); ++i)
-    grid.for_each_rank_near(points[i], reach, [&](const int rank)
+    grid.for_each_rank_near(points[i], reach,
+                            [&](const int rank)
                             { routes_[rank].push_back(static_cast<std::int32_t>(i)); });
   points_ = distribute(points);
   ids_    = distribute(ids);

@@ -137,8 +137,7 @@ Row measure(const MPI_Comm communicator, const std::string &method,
     for (std::size_t i = 0; i < own.size(); ++i)
       ids[i] = static_cast<std::int64_t>(share(rank) + i);
     HybridSearch search(communicator);
-    row.seconds = median_seconds(communicator, repeats,
-                                 [&] { search.find(own, {}, ids, radius); });
+    row.seconds = median_seconds(communicator, repeats, [&] { search.find(own, {}, ids, radius); });
     for (const auto &pair : search.pairs())
       row.pairs.add(search.ids()[pair.first], search.ids()[pair.second]);
   }
@@ -146,9 +145,10 @@ Row measure(const MPI_Comm communicator, const std::string &method,
   {
     const auto search = make_pair_search(method);
     std::vector<PointPair> pairs;
-    row.seconds =
-        median_seconds(communicator, repeats,
-                       [&] { search->find(points, {}, radius, pairs, {rank, n_ranks}); });
+    row.seconds = median_seconds(communicator, repeats,
+                                 [&] {
+                                   search->find(points, {}, radius, pairs, {rank, n_ranks});
+                                 });
     for (const auto &pair : pairs)
       row.pairs.add(pair.first, pair.second);
   }
@@ -243,9 +243,8 @@ void bench_search(const MPI_Comm communicator, const SearchBenchOptions &options
   if (rank == 0 && !options.json)
     std::printf("All pairs closer than %g mm in a cube of %g mm; median of %d. Brute force only up "
                 "to %d points.\n%-12s %-14s %9s %9s %12s %12s %14s\n",
-                1e3 * cube.radius, 1e3 * cube.edge, options.repeats,
-                options.most_for_brute_force, "arrangement", "method", "points", "processes",
-                "ms", "pairs", "expected");
+                1e3 * cube.radius, 1e3 * cube.edge, options.repeats, options.most_for_brute_force,
+                "arrangement", "method", "points", "processes", "ms", "pairs", "expected");
   std::string rows, difference;
   for (const auto &arrangement : options.arrangements)
     for (const int n : options.points)

@@ -69,8 +69,8 @@ bool is_of_level(const ContactPoint &point, const int level, const double spacin
 bool level_has_points(const std::vector<ContactPoint> &points, const int level,
                       const double spacing)
 {
-  return std::any_of(points.begin(), points.end(), [&](const ContactPoint &point)
-                     { return is_of_level(point, level, spacing); });
+  return std::any_of(points.begin(), points.end(),
+                     [&](const ContactPoint &point) { return is_of_level(point, level, spacing); });
 }
 
 /// The points up to a level, and which of them must be in a pair.
@@ -160,8 +160,8 @@ private:
   std::vector<PointPair> found_;
 };
 
-/// Points are handed out to blocks of space; what is found there goes home to the ranks whose points
-/// they are.
+/// Points are handed out to blocks of space; what is found there goes home to the ranks whose
+/// points they are.
 class HybridContactSearch : public ContactSearch
 {
 public:
@@ -197,8 +197,8 @@ private:
 
   std::vector<Partner> partners_of_level(const ContactCandidates &candidates, const int level)
   {
-    const auto points = points_up_to_level(candidates.points, candidates.n_local, level,
-                                           parameters_.spacing);
+    const auto points =
+        points_up_to_level(candidates.points, candidates.n_local, level, parameters_.spacing);
     std::vector<ContactPoint> own;
     std::vector<std::int64_t> ids;
     for (const auto i : points.number)

@@ -22,7 +22,8 @@ constexpr int most_strays = 64;
 // So many entries of a field are looked at together.
 constexpr std::ptrdiff_t chunk = 8 * Lattice::block_size;
 
-// Sound points so many lattice steps around damage are searched like damaged ones: cracks grow there.
+// Sound points so many lattice steps around damage are searched like damaged ones: cracks grow
+// there.
 constexpr int fringe = 2;
 
 /// k = factor 18 K V^2 / (pi delta^5) [N/m]
@@ -52,8 +53,8 @@ Vector3 vector(const double (&x)[3])
   return {x[0], x[1], x[2]};
 }
 
-/// Coarse cells of space, marked where something is. They repeat after 32 cells along each axis: what
-/// is marked elsewhere too is looked at in vain, nothing is overlooked.
+/// Coarse cells of space, marked where something is. They repeat after 32 cells along each axis:
+/// what is marked elsewhere too is looked at in vain, nothing is overlooked.
 class CoarseCells
 {
 public:
@@ -84,8 +85,8 @@ public:
 private:
   static constexpr int period = 32;
 
-  /// Visits the cells of a box until visit() is true, and says whether it was. A box that is empty or
-  /// not a number has none.
+  /// Visits the cells of a box until visit() is true, and says whether it was. A box that is empty
+  /// or not a number has none.
   template <class Visitor>
   bool for_each(const double (&low)[3], const double (&high)[3], Visitor &&visit)
   {
@@ -103,10 +104,10 @@ private:
     for (std::int64_t i = 0; i < n[0]; ++i)
       for (std::int64_t j = 0; j < n[1]; ++j)
         for (std::int64_t k = 0; k < n[2]; ++k)
-          if (visit(marked_[((((first[0] + i) & (period - 1)) * period +
-                              ((first[1] + j) & (period - 1))) *
-                                 period +
-                             ((first[2] + k) & (period - 1)))]))
+          if (visit(marked_[(
+                  (((first[0] + i) & (period - 1)) * period + ((first[1] + j) & (period - 1))) *
+                      period +
+                  ((first[2] + k) & (period - 1)))]))
             return true;
     return false;
   }
@@ -215,8 +216,9 @@ void DebrisContact::find_contacts()
     const std::size_t begin = contacts_.size();
     const auto &a           = bodies_[body]->state().arrays;
     const Lattice &l        = bodies_[body]->lattice();
-    const auto end          = [&](const std::int32_t p)
-    { return Follower{l.owned(p) ? p : -1, static_cast<std::int16_t>(body), false}; };
+    const auto end          = [&](const std::int32_t p) {
+      return Follower{l.owned(p) ? p : -1, static_cast<std::int16_t>(body), false};
+    };
     for (const auto &pair : bond_pairs_[body])
       touch(position_of(a, pair.q) - position_of(a, pair.p), pair.distance, stiffness_[body],
             pair.p, pair.q, end(pair.p), end(pair.q));
@@ -284,8 +286,8 @@ void DebrisContact::list_pairs(const double dt)
   }
 }
 
-/// Points of this rank that have left their reach, or broken a bond though they were not active. They
-/// get a new reach and are active from now on.
+/// Points of this rank that have left their reach, or broken a bond though they were not active.
+/// They get a new reach and are active from now on.
 std::vector<ContactPoint> DebrisContact::strays(const double dt)
 {
   std::vector<ContactPoint> found;
@@ -334,8 +336,9 @@ std::vector<ContactPoint> DebrisContact::strays(const double dt)
       const auto shift  = l.shift(l.stencil().offsets[entry.offset]);
       for (int lane = 0; lane < Lattice::block_size; ++lane)
         if ((entry.points >> lane) & 1)
-          for (const std::ptrdiff_t p : {entry.block * Lattice::block_size + lane + std::ptrdiff_t(0),
-                                         entry.block * Lattice::block_size + lane + shift})
+          for (const std::ptrdiff_t p :
+               {entry.block * Lattice::block_size + lane + std::ptrdiff_t(0),
+                entry.block * Lattice::block_size + lane + shift})
             if (p < l.owned_end() && l.owned(p) && !journey.active[p - low])
               renew(p);
     }
@@ -437,7 +440,7 @@ std::vector<ContactPoint> DebrisContact::points_near(const ContactPoint &point) 
     for (int d = 0; d < 3; ++d)
       start[d] = journey.start[d].data();
     const double x = point.position[0], y = point.position[1], z = point.position[2],
-                 range     = range_ + point.reach;
+                 range   = range_ + point.reach;
     const auto may_touch = [=](const std::ptrdiff_t p)
     {
       const double dx = start[0][p] - x, dy = start[1][p] - y, dz = start[2][p] - z,
@@ -474,7 +477,7 @@ void DebrisContact::start_journey(const std::size_t body, const std::ptrdiff_t p
   const Vector3 v(a.velocity[0][p], a.velocity[1][p], a.velocity[2][p]);
   const double reach = std::min(ContactSearch::largest_reach * spacing_,
                                 least_reach * spacing_ + steps_ahead * dt * v.norm());
-  journey.reach[at] = reach;
+  journey.reach[at]  = reach;
   for (int d = 0; d < 3; ++d)
   {
     const double x       = a.position[d][p];
@@ -544,7 +547,8 @@ void DebrisContact::mark_active_near_damage(const std::size_t body)
   journeys_[body].active.assign(near.begin() + l.owned_begin(), near.begin() + l.owned_end());
 }
 
-/// Points of a body that may touch something in a box, given by its lower and minus its upper corner.
+/// Points of a body that may touch something in a box, given by its lower and minus its upper
+/// corner.
 void DebrisContact::mark_active_in_box(const std::size_t body, const double *const corner)
 {
   auto &journey = journeys_[body];
@@ -664,7 +668,7 @@ void DebrisContact::add(const ContactPoint &one, const ContactPoint &other)
 {
   const bool in_order       = one.id < other.id;
   const ContactPoint &lower = in_order ? one : other, &higher = in_order ? other : one;
-  const int offset          = numbering_.offset(lower.id, higher.id);
+  const int offset = numbering_.offset(lower.id, higher.id);
   // Most are neighbours in sound material.
   if (offset >= 0 && !lower.damaged && !higher.damaged)
     return;
@@ -702,12 +706,12 @@ void DebrisContact::add_foreign_pair(const ContactPoint &lower, const ContactPoi
   const double k = stiffness_[place.body], k2 = stiffness_[other.body];
   const bool one_body = place.body == other.body;
   const double d      = contact_distance(
-      (l.reference_position(place.lattice) - m.reference_position(other.lattice)).norm(),
+           (l.reference_position(place.lattice) - m.reference_position(other.lattice)).norm(),
       one_body ? l.box().spacing : 0.5 * (l.box().spacing + m.box().spacing));
   const double limit = d + lower.reach + higher.reach;
   if ((vector(lower.position) - vector(higher.position)).squaredNorm() < limit * limit)
-    foreign_pairs_.push_back({number_of(lower), number_of(higher), one_body, d,
-                              one_body ? k : 2. * k * k2 / (k + k2)});
+    foreign_pairs_.push_back(
+        {number_of(lower), number_of(higher), one_body, d, one_body ? k : 2. * k * k2 / (k + k2)});
 }
 
 /// Number of a point in watched_, a new one if need be.

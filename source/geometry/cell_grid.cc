@@ -13,7 +13,7 @@ namespace
 // Images are numbered by ten bits per axis, with room for the step to a neighbour.
 constexpr int image_bits           = 10;
 constexpr std::int64_t first_image = 4, last_image = (1 << image_bits) - 5;
-constexpr std::int32_t no_image    = -1;
+constexpr std::int32_t no_image = -1;
 
 constexpr double farthest = 1e12; // [cells]: above, coordinates in cells would be too coarse
 } // namespace
@@ -60,7 +60,8 @@ void CellGrid::choose_cells(const std::vector<Vector3> &points)
   extent_            = reach / size_;
 
   // An axis that does not wrap has one empty layer, so that neighbours need no test for the end.
-  const std::int64_t most = std::max<std::int64_t>(64, 4 * static_cast<std::int64_t>(points.size()));
+  const std::int64_t most =
+      std::max<std::int64_t>(64, 4 * static_cast<std::int64_t>(points.size()));
   std::array<std::int64_t, 3> n{};
   for (int d = 0; d < 3; ++d)
     n[d] = static_cast<std::int64_t>((high[d] - low_[d]) / size_) + 2;
@@ -73,9 +74,9 @@ void CellGrid::choose_cells(const std::vector<Vector3> &points)
       ++log2;
     if (std::int64_t(1) << log2 >= n[d])
       break; // 4 x 4 x 4
-    n[d]     = std::int64_t(1) << log2;
+    n[d]      = std::int64_t(1) << log2;
     wraps_[d] = true;
-    log2_[d] = log2;
+    log2_[d]  = log2;
   }
   for (int d = 0; d < 3; ++d)
     n_[d] = static_cast<std::int32_t>(n[d]);
@@ -120,8 +121,8 @@ std::vector<char> CellGrid::cells_near(const std::vector<Place> &places,
       near[places[i].cell] = 1;
   for (int d = 0; d < 3; ++d)
   {
-    before                      = near;
-    const std::int64_t step     = stride[d], period = step * n_[d];
+    before                  = near;
+    const std::int64_t step = stride[d], period = step * n_[d];
     for (std::int64_t first = 0; first < n_cells; first += period)
       for (std::int64_t c = 0; c < period; ++c)
       {

@@ -29,14 +29,14 @@ private:
     // Parts have equally many points, not cells.
     const auto first_cell = [&](const int part)
     {
-      const auto n_points = static_cast<std::int64_t>(grid.order().size());
+      const auto n_points     = static_cast<std::int64_t>(grid.order().size());
       const auto *const begin = table.begin, *const end = table.begin + grid.n_cells();
       return part == share.n_parts
                  ? grid.n_cells()
                  : std::lower_bound(begin, end, n_points * part / share.n_parts) - begin;
     };
-    loops_.cells(grid.sorted_points(), table, first_cell(share.part),
-                        first_cell(share.part + 1), {&append, &pairs});
+    loops_.cells(grid.sorted_points(), table, first_cell(share.part), first_cell(share.part + 1),
+                 {&append, &pairs});
   }
 
   const PairLoops &loops_;

@@ -41,8 +41,7 @@ struct Lanes
     const I upwards = _mm512_set_epi32(8, 0, 8, 0, 8, 0, 8, 0, 8, 0, 8, 0, 8, 0, 8, 0);
     _mm512_storeu_si512(out, _mm512_permutex2var_epi32(b, low, a));
     if (n > 8)
-      _mm512_storeu_si512(out + 8,
-                          _mm512_permutex2var_epi32(b, _mm512_add_epi32(low, upwards), a));
+      _mm512_storeu_si512(out + 8, _mm512_permutex2var_epi32(b, _mm512_add_epi32(low, upwards), a));
     return out + n;
   }
 };

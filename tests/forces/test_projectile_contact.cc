@@ -147,7 +147,7 @@ TEST(ProjectileContact, FrictionOpposesSlidingAndFallsLinearlyBelowTheRegularisa
     for (const double speed : {0., 1e-3, 2.5, 5., 50., 500.})
     {
       motion.velocity = speed * direction - Vector3(0., 0., 20.); // closing speed is not sliding
-      const auto reaction = contact.evaluate(RigidBody(cylinder, 1., motion, false), *plate);
+      const auto reaction    = contact.evaluate(RigidBody(cylinder, 1., motion, false), *plate);
       // mu(v) N v/|v|, with |v| replaced by 5 m/s below that.
       const double mu        = law->coefficient(speed);
       const Vector3 expected = -mu * reaction.normal.z() * std::min(1., speed / 5.) * direction;

@@ -38,8 +38,10 @@ std::vector<Method> all_methods()
     try
     {
       pair_loops(set);
-      methods.push_back({std::string("linked cells ") + set, [set] { return make_linked_cells(set); }});
-      methods.push_back({std::string("brute force ") + set, [set] { return make_brute_force(set); }});
+      methods.push_back(
+          {std::string("linked cells ") + set, [set] { return make_linked_cells(set); }});
+      methods.push_back(
+          {std::string("brute force ") + set, [set] { return make_brute_force(set); }});
     }
     catch (const InputError &)
     {
@@ -155,8 +157,8 @@ TEST_P(PairSearches, FindThePairsOfClustersAndFarFlungPoints)
 
 TEST_P(PairSearches, DecideInDoublePrecisionWhatIsARadiusApart)
 {
-  // Single precision cannot tell these distances from the radius, neither near the lowest corner nor
-  // far from it.
+  // Single precision cannot tell these distances from the radius, neither near the lowest corner
+  // nor far from it.
   Random random(41);
   std::vector<Vector3> points;
   for (int i = 0; i < 400; ++i)
@@ -188,6 +190,18 @@ TEST_P(PairSearches, FindThePairsAcrossTheSeamOfTheGrid)
       points.push_back(far * Vector3::Ones());
     EXPECT_GT(expect_all_pairs(points, 1.), 100u);
   }
+}
+
+TEST_P(PairSearches, DoNotTakePointsPeriodsApartForNeighbours)
+{
+  // The grid wraps around after four cells of 1.001: all but the corners share one cell and their
+  // place in it, from one period to as many as the numbers of periods can hold, and one more.
+  std::vector<Vector3> points{{0., 0., 0.}, {1e6, 1e6, 1e6}};
+  for (const double n : {0., 1., 2., 1015., 1016., 1023., 1024., 1025.})
+    for (int axis = 0; axis < 3; ++axis)
+      points.push_back(Vector3(0.5, 0.5, 0.5) + 4. * 1.001 * n * Vector3::Unit(axis));
+  // Three of them coincide, near the first corner.
+  EXPECT_EQ(expect_all_pairs(points, 1.), 3u + 3u);
 }
 
 TEST_P(PairSearches, FindThePairsOfCoincidentPoints)
@@ -242,7 +256,8 @@ TEST_P(PairSearches, SharesTogetherFindEveryPairOnce)
 
 TEST_P(PairSearches, CountIsTheExpectedOneOfUniformPoints)
 {
-  // 30,000 points in a cube of 100 mm, 3 mm: 4.92e4 pairs by the distribution of distances in a cube.
+  // 30,000 points in a cube of 100 mm, 3 mm: 4.92e4 pairs by the distribution of distances in a
+  // cube.
   std::vector<PointPair> pairs;
   GetParam().make()->find(random_points(30000, 50e-3, 59), {}, 3e-3, pairs);
   const double r = 0.03, probability = 4. / 3. * M_PI * r * r * r - 1.5 * M_PI * std::pow(r, 4) +

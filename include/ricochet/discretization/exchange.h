@@ -17,7 +17,7 @@ namespace ricochet
 /// rank. Collective.
 template <class Item>
 std::vector<std::vector<Item>> exchange_lists(const MPI_Comm communicator,
-                                        const std::vector<std::vector<Item>> &lists)
+                                              const std::vector<std::vector<Item>> &lists)
 {
   static_assert(std::is_trivially_copyable<Item>::value || std::is_same<Item, Vector3>::value,
                 "sent as bytes");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pairs of points that lie anywhere on all ranks, by the hybrid method: space is divided into one
-// block of a grid per process, each block enlarged by the search radius, and searched with a KD-tree.
-// A pair within the overlap of blocks is known to several of them; it counts where the point with
-// the lower number lies.
+// block of a grid per process, each block enlarged by the search radius, and searched with a
+// KD-tree. A pair within the overlap of blocks is known to several of them; it counts where the
+// point with the lower number lies.
 #pragma once
 
 #include "ricochet/discretization/exchange.h"

@@ -11,14 +11,15 @@ namespace ricochet
 {
 struct SearchBenchOptions
 {
-  std::vector<int> points       = {30000, 100000, 300000, 900000};
-  std::string radius            = "3 mm";
-  std::string edge              = "100 mm"; // of the cube
-  int repeats                   = 5;        // the median counts
-  int most_for_brute_force      = 100000;   // points; above, it is left out
+  std::vector<int> points               = {30000, 100000, 300000, 900000};
+  std::string radius                    = "3 mm";
+  std::string edge                      = "100 mm"; // of the cube
+  int repeats                           = 5;        // the median counts
+  int most_for_brute_force              = 100000;   // points; above, it is left out
   std::vector<std::string> arrangements = {"random", "lattice"};
-  bool json = false;   // one JSON object per row instead of a table
-  std::string picture; // PNG of seconds over points; its numbers go beside it, as .jsonl; empty: none
+  bool json                             = false; // one JSON object per row instead of a table
+  std::string
+      picture; // PNG of seconds over points; its numbers go beside it, as .jsonl; empty: none
 };
 
 /**

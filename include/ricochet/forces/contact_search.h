@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Finds the points of all bodies that may touch before they have travelled a given way, on all ranks
-// and across the symmetry plane.
+// Finds the points of all bodies that may touch before they have travelled a given way, on all
+// ranks and across the symmetry plane.
 #pragma once
 
 #include "ricochet/forces/peridynamic_force.h"
@@ -43,9 +43,9 @@ private:
 
   struct Body
   {
-    std::int64_t n_y, n_z;              // numbers for a row, rows for a plane
-    int first_y;                        // of the images
-    std::vector<std::int16_t> offsets;  // per difference of two numbers
+    std::int64_t n_y, n_z;             // numbers for a row, rows for a plane
+    int first_y;                       // of the images
+    std::vector<std::int16_t> offsets; // per difference of two numbers
   };
   std::vector<Body> bodies_;
 };
@@ -78,8 +78,8 @@ public:
   struct Parameters
   {
     MPI_Comm communicator;
-    double spacing; // the largest of all bodies [m]
-    double range;   // the largest distance at which two points touch [m]
+    double spacing;                    // the largest of all bodies [m]
+    double range;                      // the largest distance at which two points touch [m]
     const ContactNumbering *numbering; // outlives the search
   };
 

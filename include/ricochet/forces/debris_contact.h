@@ -3,16 +3,16 @@
 // interpenetrate, and bodies touch. Per pair
 //   f = k (d - r) for r < d,   d = min(0.9 |X_j - X_i|, 1.35 dx),   k = factor 18 K V^2 / (pi
 //   delta^5)
-// Two points of one body repel if their bond is broken, or if they never had one and at least one of
-// them is damaged; points of different bodies always do.
+// Two points of one body repel if their bond is broken, or if they never had one and at least one
+// of them is damaged; points of different bodies always do.
 //
 // Every few steps all pairs that can touch before the next search are listed: each point may travel
-// its own reach, as far as its present speed suggests. The few points that leave their reach earlier,
-// fragments that something has hit, are searched again one by one; only when they are many, all are.
-// So no contact is missed, and fast fragments do not make the others' lists long or short-lived. Pairs
-// of two sound points are not listed far from damage; where a point there breaks a bond it is searched
-// again too. Bonds that break are added at once. The lists are kept in one order, so forces do not
-// depend on when and how has been searched.
+// its own reach, as far as its present speed suggests. The few points that leave their reach
+// earlier, fragments that something has hit, are searched again one by one; only when they are
+// many, all are. So no contact is missed, and fast fragments do not make the others' lists long or
+// short-lived. Pairs of two sound points are not listed far from damage; where a point there breaks
+// a bond it is searched again too. Bonds that break are added at once. The lists are kept in one
+// order, so forces do not depend on when and how has been searched.
 #pragma once
 
 #include "ricochet/discretization/plane_sums.h"
@@ -31,8 +31,8 @@ public:
                 const std::string &search = "linked cells");
   ~DebrisContact();
 
-  /// Adds repulsion to the bodies' forces. `dt`: the coming step [s], which tells how far points may
-  /// get before the pairs are searched again. Collective.
+  /// Adds repulsion to the bodies' forces. `dt`: the coming step [s], which tells how far points
+  /// may get before the pairs are searched again. Collective.
   void evaluate(double dt);
 
   /// Energy stored in the repulsion, both halves [J]. Collective.

@@ -15,9 +15,9 @@ namespace ricochet
 class CellGrid
 {
 public:
-  /// Cells a little larger than `radius` [m], > 0. Points [m] that are not finite are in no cell. With
-  /// `active` (one entry per point), points that are neither active nor in or beside a cell with an
-  /// active point are left out; empty: all are active.
+  /// Cells a little larger than `radius` [m], > 0. Points [m] that are not finite are in no cell.
+  /// With `active` (one entry per point), points that are neither active nor in or beside a cell
+  /// with an active point are left out; empty: all are active.
   CellGrid(const std::vector<Vector3> &points, const std::vector<char> &active, double radius);
 
   /// The points which have not been left out, by their numbers, cell by cell.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The hot loops of the pair searches, as a table of plain functions per instruction set. Single
 // precision picks the candidates, sixteen at a time; only those on the edge of the radius are
-// decided in double precision, so the pairs found are exactly those of double precision. This header
-// is compiled for several instruction sets and must stay free of library headers.
+// decided in double precision, so the pairs found are exactly those of double precision. This
+// header is compiled for several instruction sets and must stay free of library headers.
 #pragma once
 
 #include <stdint.h>
@@ -50,8 +50,8 @@ struct PairLoops
 {
   const char *instruction_set;
 
-  /// Pairs of each active point of the cells first ... last - 1 with the points behind it in its own
-  /// cell and in half of the 26 neighbours, and with the inactive ones in the other half.
+  /// Pairs of each active point of the cells first ... last - 1 with the points behind it in its
+  /// own cell and in half of the 26 neighbours, and with the inactive ones in the other half.
   void (*cells)(const SortedPoints &, const CellTable &, int64_t first, int64_t last,
                 const PairSink &);
 

@@ -165,11 +165,11 @@ private:
     run.begin            = t_.begin[column + first_z];
     run.end              = t_.begin[column + last_z + 1];
     // The neighbour is `step` periods ahead: the query goes back by as much.
-    run.shift[0]    = float(-step_x * t_.n[0]);
-    run.shift[1]    = float(-step_y * t_.n[1]);
-    run.shift[2]    = float(-step_z * t_.n[2]);
-    run.image_shift = step_x * t_.next_image[0] + step_y * t_.next_image[1] +
-                      step_z * t_.next_image[2];
+    run.shift[0]         = float(-step_x * t_.n[0]);
+    run.shift[1]         = float(-step_y * t_.n[1]);
+    run.shift[2]         = float(-step_z * t_.n[2]);
+    run.image_shift =
+        step_x * t_.next_image[0] + step_y * t_.next_image[1] + step_z * t_.next_image[2];
     n_ += run.begin < run.end;
   }
 

@@ -53,8 +53,8 @@ const std::vector<PairSearchEntry> &pair_searches();
 /// The method of that name. Throws InputError for an unknown one.
 std::unique_ptr<PairSearch> make_pair_search(const std::string &name);
 
-/// Compares every point with every other one. `instruction_set` as in pair_loops(); throws InputError
-/// if the processor lacks it.
+/// Compares every point with every other one. `instruction_set` as in pair_loops(); throws
+/// InputError if the processor lacks it.
 std::unique_ptr<PairSearch> make_brute_force(const char *instruction_set = nullptr);
 /// Compares points in neighbouring cells of a grid, see geometry/cell_grid.h. Likewise.
 std::unique_ptr<PairSearch> make_linked_cells(const char *instruction_set = nullptr);
