@@ -55,6 +55,7 @@ const std::vector<History::Column> history_columns{{"time", "us"},
                                                    {"energy debris", "J"},
                                                    {"work friction", "J"},
                                                    {"energy fracture", "J"},
+                                                   {"energy viscous", "J"},
                                                    {"energy residual", "J"},
                                                    {"residual relative", "-"},
                                                    {"broken bonds", "-"}};
@@ -177,6 +178,7 @@ private:
                       energies_.debris,
                       energies_.friction,
                       energies_.fracture,
+                      energies_.viscous,
                       energies_.residual(),
                       residual(),
                       broken_bonds_});
@@ -198,10 +200,11 @@ private:
     frames_->write(simulation_.time(), simulation_.points(), simulation_.surface());
   }
 
-  double residual() const
+  double share(const double energy) const
   {
-    return energies_.initial > 0. ? energies_.residual() / energies_.initial : 0.;
+    return energies_.initial > 0. ? energy / energies_.initial : 0.;
   }
+  double residual() const { return share(energies_.residual()); }
 
   double elapsed() const
   {
@@ -257,6 +260,7 @@ private:
     s["path_mm"]                = watch_.path() / mm;
     s["time_us"]                = simulation_.time() / us;
     s["energy_residual"]        = residual();
+    s["energy_viscous"]         = share(energies_.viscous);
     s["momentum_drift"]         = drift(momenta.linear, start_momenta_.linear);
     s["angular_momentum_drift"] = drift(momenta.angular, start_momenta_.angular);
     s["deepest_penetration_dx"] = deepest_;

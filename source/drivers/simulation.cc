@@ -97,9 +97,13 @@ void Simulation::build_plates()
     top -= thickness;
 
     const auto &law = bond_law(material.bond_model);
-    const PeridynamicMaterial bonds{&law, material.density, material.bulk_modulus,
+    const PeridynamicMaterial bonds{&law,
+                                    material.density,
+                                    material.bulk_modulus,
                                     material.shear_modulus,
-                                    ricochet::critical_stretch(material, stencil)};
+                                    ricochet::critical_stretch(material, stencil),
+                                    relaxing_within(material.relaxation, scene_.time.end_time),
+                                    material.history_precision};
     plates_.push_back(std::make_unique<PeridynamicForce>(communicator_, static_cast<int>(i), box,
                                                          stencil, bonds));
   }
@@ -176,6 +180,8 @@ void Simulation::choose_time_step()
     time_step_info_.seconds_per_step += estimate.seconds_per_force;
   }
   dt_ = scene_.time.safety_factor * 2. / std::sqrt(largest);
+  for (const auto &plate : plates_)
+    plate->start_relaxation(dt_);
 }
 
 void Simulation::evaluate(const bool energy)
@@ -271,6 +277,8 @@ EnergyBalance Simulation::energies() const
     e.strain += multiplicity_ * sum[1];
     e.friction -= contacts_[i].work_on_points();
     e.fracture += fractures_[i].total(communicator_).energy;
+    if (const auto *history = plate.history())
+      e.viscous += multiplicity_ * history->dissipated(communicator_);
   }
   return e;
 }

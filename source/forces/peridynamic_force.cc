@@ -78,6 +78,23 @@ PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number
   broken_.resize(lattice_.size() / Lattice::block_size * n);
 }
 
+void PeridynamicForce::start_relaxation(const double dt)
+{
+  history_.reset();
+  if (material_.relaxation.empty())
+    return;
+  if (kernel_->relaxing_force == nullptr)
+    throw InputError(std::string("The bond model '") + material_.law->name +
+                     "' has no shear modulus of its own that could relax. Use 'linear peridynamic "
+                     "solid' or leave out the relaxation times.");
+  check_series(material_.relaxation);
+  check_step(material_.relaxation, dt);
+  history_ = std::make_unique<BondHistory>(
+      lattice_,
+      family_constants(lattice_.stencil(), material_.bulk_modulus, material_.shear_modulus),
+      unbreakable_constants_, material_.relaxation, material_.history_precision, dt);
+}
+
 void PeridynamicForce::update_ghosts()
 {
   auto &a = state_.arrays;
@@ -94,13 +111,18 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy)
   const int64_t last = lattice_.owned_end() / Lattice::block_size;
   const auto &table  = breaking ? table_ : unbreakable_table_;
 
+  if (history_)
+    history_->begin(a);
   std::swap(a.theta, a.theta_before);
   state_.zero(a.theta);
   n_broken_ = static_cast<std::size_t>(kernel_->stretch(a, table, 0, last, broken_.data()));
+  if (history_)
+    history_->close_theta(a, broken_.data(), n_broken_);
   if (material_.law->has_dilatation)
   {
-    halo_.exchange({a.theta});
-    state_.mirror_theta(lattice_);
+    double *const shared = history_ ? history_->volumetric() : a.theta;
+    halo_.exchange({shared});
+    state_.mirror(lattice_, shared);
   }
   for (std::size_t i = 0; i < n_broken_; ++i)
     for (int lane = 0; lane < Lattice::block_size; ++lane)
@@ -113,7 +135,20 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy)
 
   for (double *f : a.force)
     state_.zero(f);
-  if (energy)
+  if (history_)
+  {
+    const bool measure = energy || history_->measurement_is_due();
+    const auto bonds   = history_->bonds();
+    if (measure)
+    {
+      state_.zero(a.energy);
+      state_.zero(bonds.dissipated);
+    }
+    (measure ? kernel_->relaxing_force_and_energy : kernel_->relaxing_force)(a, table, bonds, 0,
+                                                                             last);
+    history_->end(a, measure);
+  }
+  else if (energy)
   {
     state_.zero(a.energy);
     kernel_->force_and_energy(a, table, 0, last);

@@ -24,10 +24,12 @@ struct EnergyBalance
   double friction;   // turned into heat between projectile and plates
   double fracture;   // released by broken bonds
   double initial;    // kinetic energy of the projectile at the start
+  double viscous;    // turned into heat by relaxation
 
   double residual() const
   {
-    return initial - projectile - kinetic - strain - contact - debris - friction - fracture;
+    return initial - projectile - kinetic - strain - contact - debris - friction - fracture -
+           viscous;
   }
 };
 

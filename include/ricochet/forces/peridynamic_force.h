@@ -5,7 +5,9 @@
 
 #include "ricochet/discretization/halo.h"
 #include "ricochet/discretization/lattice_state.h"
+#include "ricochet/forces/bond_history.h"
 
+#include <memory>
 #include <mpi.h>
 #include <optional>
 #include <vector>
@@ -17,8 +19,11 @@ struct PeridynamicMaterial
   const BondLaw *law;
   double density;          // [kg/m^3]
   double bulk_modulus;     // [Pa]
-  double shear_modulus;    // [Pa]
+  double shear_modulus;    // [Pa], the instantaneous one
   double critical_stretch; // s_c [-]; infinite: never breaks
+  // Of the shear modulus; takes effect by start_relaxation().
+  RelaxationSeries relaxation        = {};
+  HistoryPrecision history_precision = HistoryPrecision::single_precision;
 };
 
 class PeridynamicForce
@@ -37,6 +42,15 @@ public:
   /// Collective.
   void update_ghosts();
 
+  /// From now on the shear modulus relaxes as the material says, from no history, and evaluate()
+  /// must be called once per time step of that length [s]: it moves the history on. Before, and
+  /// without relaxation, the body is elastic with the instantaneous moduli. Throws InputError if
+  /// the law or a branch cannot be used so.
+  void start_relaxation(double dt);
+  /// Null if the body is elastic.
+  const BondHistory *history() const { return history_.get(); }
+  BondHistory *history() { return history_.get(); }
+
   /// Breaks overstretched bonds, then overwrites `force` with the bond forces; positions of ghosts
   /// must be up to date. With `energy`, also each point's strain energy. Collective.
   void evaluate(bool breaking, bool energy);
@@ -53,6 +67,7 @@ public:
   const std::vector<BondConstants> &bond_constants() const { return constants_; }
   double point_stiffness() const { return table_.point_stiffness; } // [J]
   double point_mass() const { return mass_; }                       // [kg]
+  double point_volume() const { return mass_ / material_.density; } // [m^3]
 
   /// What the last evaluate() broke; a bond with ends on two ranks stands on both.
   const std::vector<BrokenBonds> &broken() const { return broken_; }
@@ -84,6 +99,7 @@ private:
   std::vector<BondConstants> constants_, unbreakable_constants_;
   std::vector<int64_t> shifts_;
   BondTable table_, unbreakable_table_;
+  std::unique_ptr<BondHistory> history_;
   std::vector<std::uint8_t> initial_bonds_;
   std::vector<std::uint16_t> initial_family_; // bonds of each owned point at the start
   std::vector<char> damaged_;
