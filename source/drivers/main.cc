@@ -81,6 +81,12 @@ void declare(CLI::App &app, Arguments &arguments)
   kernel->add_option("--instruction-set", arguments.bench.instruction_set,
                      "avx512, avx2 or baseline; default: the best one");
   kernel->add_option("--bond-model", arguments.bench.bond_model, "bond law")->capture_default_str();
+  kernel
+      ->add_option("--viscous", arguments.bench.branches,
+                   "relaxing branches, timed in turn with an elastic cube")
+      ->capture_default_str();
+  kernel->add_option("--history", arguments.bench.history, "single or double precision of those")
+      ->capture_default_str();
   kernel->add_flag("--holes", arguments.bench.holes, "cut a sphere out of the cube");
 
   auto *elements = bench->add_subcommand("elements", "the explicit finite elements");
