@@ -285,7 +285,7 @@ TEST(BondHistory, BlockHoldsItsWorkToTheOrderOfTheStep)
   EXPECT_NEAR(missing[0] / missing[1], 4., 0.4);
 }
 
-TEST(BondHistory, MeasuringEveryFourthStepInterpolates)
+TEST(BondHistory, MeasuringNowAndThenInterpolates)
 {
   // A smooth motion: 40 steps per period.
   BodySample sample;

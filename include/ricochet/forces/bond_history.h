@@ -31,7 +31,7 @@ public:
   /// What is measured between two records of the energies, at least: the dissipation is known
   /// exactly in the steps in which it is measured and interpolated between them, because to measure
   /// it costs as much as the force.
-  static constexpr int measuring_interval = 4;
+  static constexpr int measuring_interval = 8;
 
   /// `family` with the instantaneous shear modulus; `constants` per offset, without the limit of
   /// breaking. All history zero.

@@ -6,6 +6,7 @@
 
 #include "ricochet/discretization/hex_mesh.h"
 #include "ricochet/kernels/hex_kernel.h"
+#include "ricochet/materials/relaxation.h"
 
 #include <array>
 #include <functional>
@@ -17,7 +18,9 @@ struct FiniteElementMaterial
 {
   double density;       // [kg/m^3]
   double bulk_modulus;  // [Pa]
-  double shear_modulus; // [Pa]
+  double shear_modulus; // [Pa], the instantaneous one
+  // Of the shear modulus; takes effect by start_relaxation().
+  RelaxationSeries relaxation = {};
 };
 
 /// How an element integrates its energy. `one_point` takes about half the time and bends as freely
@@ -36,6 +39,9 @@ struct ElementStiffness
 {
   int element; // number in mesh().elements()
   std::array<std::array<double, HexTensors::n_entries>, 8> tensors;
+  /// The part of them that relaxes with the material, C_mu; zero: they stay elastic. Neither C_mu
+  /// nor C - C_mu may have negative eigenvalues.
+  std::array<std::array<double, HexTensors::n_entries>, 8> shear = {};
 };
 
 class FiniteElementForce
@@ -58,6 +64,7 @@ public:
   struct Energies // of this body as computed, without the mirrored half [J]
   {
     double kinetic, strain, hourglass;
+    double viscous; // turned into heat by relaxation since its start
   };
 
   struct Momenta
@@ -76,8 +83,22 @@ public:
   FiniteElementForce &operator=(const FiniteElementForce &) = delete;
 
   /// Gives these elements their own tensors, with full quadrature; all others have the material's
-  /// moduli, whatever was set before. Elements that are not active are left out.
+  /// moduli, whatever was set before. Elements that are not active are left out. History stays; an
+  /// element that changes its Gauss points spreads it or takes the mean.
   void set_stiffness(const std::vector<ElementStiffness> &stiffness);
+
+  /// From now on the shear stiffness relaxes as the material says, from no history, and evaluate()
+  /// must be called once per time step of that length [s]: it moves the history on. Hourglass
+  /// stiffness stays elastic with the instantaneous modulus: it stands for bending within an
+  /// element, whose waves last a few steps, and a softer one would let go of the modes that it has
+  /// to hold. Throws InputError for an impossible series. History is kept in double precision.
+  void start_relaxation(double dt);
+  bool relaxes() const { return !branches_.empty(); }
+  /// E_b,k, the strain that the dashpots of a branch have taken over; mean of the Gauss points [-].
+  Eigen::Matrix3d back_strain(int element, int branch) const;
+  /// The same for all Gauss points of an element, for bodies that take over from others; as of the
+  /// last evaluate().
+  void set_back_strain(int element, int branch, const Eigen::Matrix3d &E_b);
 
   /// The node keeps its velocity along this axis, zero unless set otherwise; its force is then the
   /// reaction. `node` is local; on ranks that do not own it the call does nothing.
@@ -138,7 +159,10 @@ private:
     std::vector<int> elements;
     std::vector<HexBlock> blocks;
     std::vector<HexTensors> tensors;
+    std::vector<HexTensors> shear;
     std::vector<double> strain_energy, hourglass_energy; // per entry of elements
+    int n_points;                                        // Gauss points
+    std::vector<double> history, dissipated;             // see HexRelaxation
   };
   struct Place
   {
@@ -148,14 +172,24 @@ private:
   void lump_mass();
   void fill(Group &group) const;
   HexGroup view(const Group &group) const;
+  std::size_t row(const Group &group, int index, int point, int branch) const;
+  /// Per element: 2 E and 2 (E - E_b,k) of every Gauss point, and what it has dissipated.
+  struct Memory
+  {
+    std::vector<std::vector<double>> points;
+    double dissipated;
+  };
+  std::vector<Memory> memories() const;
+  void restore(const std::vector<Memory> &memories);
 
   MPI_Comm communicator_;
   HexMesh mesh_;
   FiniteElementMaterial material_;
   Options options_;
   const HexKernel *kernel_;
-  std::array<Group, 2> groups_; // shared moduli, own tensors
-  std::vector<Place> place_;    // of each element
+  std::array<Group, 2> groups_;       // shared moduli, own tensors
+  std::vector<Place> place_;          // of each element
+  std::vector<MaxwellStep> branches_; // none: elastic
   std::vector<char> active_;
   std::vector<double> position_, velocity_, force_;
   std::vector<double> mass_;         // per owned node
