@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <string>
 
 namespace ricochet
 {
@@ -24,6 +26,52 @@ double memory_of_all_ranks(const MPI_Comm communicator)
   double bytes = 1024. * usage.ru_maxrss;
   MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_SUM, communicator);
   return bytes;
+}
+
+std::string in_time_units(const double time)
+{
+  char text[50];
+  if (time >= 1.)
+    std::snprintf(text, sizeof text, "%.4g s", time);
+  else
+    std::snprintf(text, sizeof text, "%.4g us", time / us);
+  return text;
+}
+
+/// The branches, and what is left of the moduli when all that relax have done so.
+void print_relaxation(const Simulation &simulation, const std::size_t plate)
+{
+  const auto &material  = simulation.material(plate);
+  const auto &body      = *simulation.plates()[plate];
+  const double duration = simulation.scene().time.end_time;
+  for (const auto &branch : material.relaxation)
+  {
+    std::printf("  relaxation   %.3g of the shear modulus (%.4g GPa) in %s: ", branch.share,
+                branch.share * material.shear_modulus / GPa, in_time_units(branch.time).c_str());
+    if (acts_as_elastic(branch, duration))
+      std::printf("acts as elastic, a run of %s is less than 1/%.0f of that\n",
+                  in_time_units(duration).c_str(), slowness);
+    else
+      std::printf("%.2g of it left after %s\n", std::exp(-duration / branch.time),
+                  in_time_units(duration).c_str());
+  }
+  if (body.history() == nullptr)
+    return;
+  // The critical stretch is no stress: the strength that it implies relaxes with Young's modulus.
+  // G_c is defined under uniform dilation, which no shear modulus takes part in.
+  const double K  = material.bulk_modulus,
+               mu = material.shear_modulus *
+                    relaxed_share(body.material().relaxation, std::numeric_limits<double>::max()),
+               E = 9. * K * mu / (3. * K + mu);
+  std::printf("  relaxed      E %.4g GPa, nu %.3f, wave speeds %.0f and %.0f m/s, strength E s_c = "
+              "%.3g MPa\n",
+              E / GPa, (3. * K - 2. * mu) / (6. * K + 2. * mu),
+              std::sqrt((K + 4. / 3. * mu) / material.density), std::sqrt(mu / material.density),
+              E * simulation.critical_stretch(plate) / MPa);
+  std::printf("  history      %.0f bytes per point, %s precision\n",
+              body.history()->bytes_per_point(),
+              body.material().history_precision == HistoryPrecision::single_precision ? "single"
+                                                                                      : "double");
 }
 
 void print_plates(const Simulation &simulation)
@@ -56,6 +104,7 @@ void print_plates(const Simulation &simulation)
                 s_c * s_c *
                     fracture_energy_per_squared_stretch(lattice.stencil(),
                                                         bond_law(material.bond_model), K, mu));
+    print_relaxation(simulation, i);
   }
 }
 } // namespace

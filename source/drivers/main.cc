@@ -99,6 +99,10 @@ void declare(CLI::App &app, Arguments &arguments)
       ->capture_default_str();
   elements->add_option("--element", arguments.elements.element, "one point, full or own tensors")
       ->capture_default_str();
+  elements
+      ->add_option("--viscous", arguments.elements.branches,
+                   "relaxing branches, timed in turn with an elastic cube")
+      ->capture_default_str();
   elements->add_option("--instruction-set", arguments.elements.instruction_set,
                        "avx512, avx2 or baseline; default: the best one");
 

@@ -102,6 +102,8 @@ private:
   void build_plates();
   void build_projectile();
   void choose_time_step();
+  /// Of all plates, whose elastic force evaluations take so long [s].
+  void start_relaxation(const std::vector<double> &elastic_seconds);
 
   MPI_Comm communicator_;
   Scene scene_;
