@@ -12,14 +12,6 @@ namespace ricochet
 {
 namespace
 {
-template <class Visitor>
-void for_each_owned(const Lattice &lattice, Visitor &&visit)
-{
-  for (std::ptrdiff_t p = lattice.owned_begin(); p < lattice.owned_end(); ++p)
-    if (lattice.owned(p))
-      visit(p);
-}
-
 Vector3 at(double *const field[3], const std::ptrdiff_t p)
 {
   return {field[0][p], field[1][p], field[2][p]};
@@ -257,15 +249,14 @@ EnergyBalance Simulation::energies() const
     const Lattice &lattice = plate.lattice();
     const auto &a          = plate.state().arrays;
     PlaneSums<2> sums(lattice.box().n[0]);
-    for_each_owned(lattice,
-                   [&](const std::ptrdiff_t p)
-                   {
-                     const Vector3 v = at(a.velocity, p);
-                     auto &sum       = sums[lattice.plane_of(p)];
-                     sum[0] += 0.5 * plate.point_mass() *
-                               v.dot(v + dt_ / plate.point_mass() * at(a.force, p));
-                     sum[1] += a.energy[p];
-                   });
+    lattice.for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          const Vector3 v = at(a.velocity, p);
+          auto &sum       = sums[lattice.plane_of(p)];
+          sum[0] += 0.5 * plate.point_mass() * v.dot(v + dt_ / plate.point_mass() * at(a.force, p));
+          sum[1] += a.energy[p];
+        });
     const auto sum = sums.total(communicator_);
     e.kinetic += multiplicity_ * sum[0];
     e.strain += multiplicity_ * sum[1];
@@ -285,17 +276,17 @@ MomentumBalance Simulation::momenta() const
     const Lattice &lattice = plate->lattice();
     const auto &a          = plate->state().arrays;
     PlaneSums<6> sums(lattice.box().n[0]);
-    for_each_owned(lattice,
-                   [&](const std::ptrdiff_t i)
-                   {
-                     const Vector3 linear  = plate->point_mass() * at(a.velocity, i);
-                     const Vector3 angular = at(a.position, i).cross(linear);
-                     for (int d = 0; d < 3; ++d)
-                     {
-                       sums[lattice.plane_of(i)][d] += linear[d];
-                       sums[lattice.plane_of(i)][3 + d] += angular[d];
-                     }
-                   });
+    lattice.for_each_owned(
+        [&](const std::ptrdiff_t i)
+        {
+          const Vector3 linear  = plate->point_mass() * at(a.velocity, i);
+          const Vector3 angular = at(a.position, i).cross(linear);
+          for (int d = 0; d < 3; ++d)
+          {
+            sums[lattice.plane_of(i)][d] += linear[d];
+            sums[lattice.plane_of(i)][3 + d] += angular[d];
+          }
+        });
     const auto sum = sums.total(communicator_);
     m.linear += multiplicity_ * Vector3(sum[0], sum[1], sum[2]);
     m.angular += multiplicity_ * Vector3(sum[3], sum[4], sum[5]);
@@ -373,19 +364,19 @@ std::string Simulation::describe_fastest_point() const
   } fastest{-1., 0};
   std::ostringstream text;
   for (std::size_t i = 0; i < plates_.size(); ++i)
-    for_each_owned(plates_[i]->lattice(),
-                   [&](const std::ptrdiff_t p)
-                   {
-                     if (const double speed = at(plates_[i]->state().arrays.velocity, p).norm();
-                         speed > fastest.speed)
-                     {
-                       const auto c  = plates_[i]->lattice().coordinates(p);
-                       fastest.speed = speed;
-                       text.str("");
-                       text << "Point (" << c[0] << ", " << c[1] << ", " << c[2] << ") of plate "
-                            << i + 1 << " is the fastest, at " << speed << " m/s.";
-                     }
-                   });
+    plates_[i]->lattice().for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          if (const double speed = at(plates_[i]->state().arrays.velocity, p).norm();
+              speed > fastest.speed)
+          {
+            const auto c  = plates_[i]->lattice().coordinates(p);
+            fastest.speed = speed;
+            text.str("");
+            text << "Point (" << c[0] << ", " << c[1] << ", " << c[2] << ") of plate " << i + 1
+                 << " is the fastest, at " << speed << " m/s.";
+          }
+        });
   MPI_Comm_rank(communicator_, &fastest.rank);
   MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator_);
   return broadcast(communicator_, text.str(), fastest.rank);
@@ -399,19 +390,19 @@ PointFrame Simulation::points() const
     const auto &plate      = *plates_[i];
     const Lattice &lattice = plate.lattice();
     const auto &a          = plate.state().arrays;
-    for_each_owned(lattice,
-                   [&](const std::ptrdiff_t p)
-                   {
-                     const auto c    = lattice.coordinates(p);
-                     const Vector3 x = at(a.position, p), X = lattice.reference_position(c);
-                     frame.position.push_back(x);
-                     frame.displacement.push_back(x - X);
-                     frame.velocity.push_back(at(a.velocity, p));
-                     frame.damage.push_back(plate.damage(p));
-                     frame.dilatation.push_back(a.theta[p]);
-                     frame.body.push_back(static_cast<int>(i) + 1);
-                     frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
-                   });
+    lattice.for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          const auto c    = lattice.coordinates(p);
+          const Vector3 x = at(a.position, p), X = lattice.reference_position(c);
+          frame.position.push_back(x);
+          frame.displacement.push_back(x - X);
+          frame.velocity.push_back(at(a.velocity, p));
+          frame.damage.push_back(plate.damage(p));
+          frame.dilatation.push_back(a.theta[p]);
+          frame.body.push_back(static_cast<int>(i) + 1);
+          frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
+        });
   }
   return frame;
 }
