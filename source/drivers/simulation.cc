@@ -296,6 +296,29 @@ MomentumBalance Simulation::momenta() const
   return m;
 }
 
+std::pair<Vector3, Vector3> Simulation::damaged_box(const std::size_t plate) const
+{
+  // Lower corner and minus the upper one.
+  constexpr double largest = std::numeric_limits<double>::max();
+  std::array<double, 6> corners{largest, largest, largest, largest, largest, largest};
+  const auto &body       = *plates_[plate];
+  const Lattice &lattice = body.lattice();
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        if (!body.is_damaged(p))
+          return;
+        const Vector3 X = lattice.reference_position(lattice.coordinates(p));
+        for (int d = 0; d < 3; ++d)
+        {
+          corners[d]     = std::min(corners[d], X[d]);
+          corners[3 + d] = std::min(corners[3 + d], -X[d]);
+        }
+      });
+  MPI_Allreduce(MPI_IN_PLACE, corners.data(), 6, MPI_DOUBLE, MPI_MIN, communicator_);
+  return {{corners[0], corners[1], corners[2]}, {-corners[3], -corners[4], -corners[5]}};
+}
+
 double Simulation::broken_bonds() const
 {
   double n = 0.;

@@ -328,6 +328,19 @@ FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
   return {sums[0], sums[1], sums[2]};
 }
 
+double FiniteElementForce::squared_force() const
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < inverse_mass_.size(); ++i)
+    sum += force_[i] * force_[i] * inverse_mass_[i];
+  for (std::size_t k = 0; k < spread_force_.size(); ++k)
+  {
+    const std::size_t i = 3 * spread_nodes_[k / 3] + k % 3;
+    sum += (spread_force_[k] - force_[i]) * force_[i] * inverse_mass_[i];
+  }
+  return sum;
+}
+
 FiniteElementForce::Momenta FiniteElementForce::momenta() const
 {
   std::array<Vector3, 2> sums{Vector3::Zero(), Vector3::Zero()};

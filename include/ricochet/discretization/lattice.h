@@ -54,6 +54,7 @@ public:
   bool full() const { return full_; } // no point is masked out
 
   std::ptrdiff_t plane_stride() const { return plane_stride_; }
+  std::ptrdiff_t row_stride() const { return row_stride_; }
   std::ptrdiff_t size() const { return size_; }    // entries of a field array, padding included
   int n_planes() const { return n_planes_; }       // owned by this rank
   int first_plane() const { return first_plane_; } // global number of the first owned one

@@ -75,6 +75,9 @@ public:
   /// Of the half step before the present time. Collective.
   MomentumBalance momenta() const;
   double broken_bonds() const; // each once, both halves; collective
+  /// Box around the damaged points of a plate in the reference configuration, of the model as
+  /// computed [m]; low > high if there are none. Collective.
+  std::pair<Vector3, Vector3> damaged_box(std::size_t plate) const;
   double n_points() const;     // of the full or half model as computed; collective
   double n_bonds() const;      // intact now, of the half model as computed; collective
 

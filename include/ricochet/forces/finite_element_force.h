@@ -135,6 +135,9 @@ public:
     return inverse_mass_[3 * node + component];
   }
 
+  /// f M_eff^-1 f over this rank's nodes, after correct_mass() [N^2/kg].
+  double squared_force() const;
+
   bool is_active(const int element) const { return place_[element].group >= 0; }
   /// Of the last evaluate(true); zero if not active [J].
   double strain_energy(int element) const;
