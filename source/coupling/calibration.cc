@@ -227,10 +227,10 @@ public:
     report.smallest_eigenvalue = std::numeric_limits<double>::max();
     while (report.n_iterations < options.n_iterations && largest(residual_) > options.tolerance)
     {
-      report.n_iterations += improve(
-          std::min(options.round, options.n_iterations - report.n_iterations), options.tolerance,
-          stiffness);
-      const double smallest = clip(stiffness, options.clip);
+      report.n_iterations +=
+          improve(std::min(options.round, options.n_iterations - report.n_iterations),
+                  options.tolerance, stiffness);
+      const double smallest      = clip(stiffness, options.clip);
       report.smallest_eigenvalue = std::min(report.smallest_eigenvalue, smallest);
     }
     report.ghost_after = largest(residual_);

@@ -236,6 +236,20 @@ void FarField::blend_forces()
   }
 }
 
+FarField::Energies FarField::energies(const double dt) const
+{
+  const auto points = points_.energies(dt);
+  const auto nodes  = elements_.energies(dt);
+  return {points.kinetic + nodes.kinetic, points.strain + nodes.strain, nodes.hourglass};
+}
+
+PeridynamicForce::Momenta FarField::momenta() const
+{
+  const auto points = points_.momenta();
+  const auto nodes  = elements_.momenta();
+  return {points.linear + nodes.linear, points.angular + nodes.angular};
+}
+
 bool FarField::convert(const std::vector<Zone::Cells> &cells)
 {
   std::vector<std::uint8_t> before;
@@ -259,12 +273,9 @@ bool FarField::convert(const std::vector<Zone::Cells> &cells)
   points_.follow_zone(Zone::points_per_edge * first, Zone::points_per_edge * last);
 
   // All points that did not move by themselves start from where the nodes are.
-  const auto &n     = zone_.n_cells();
-  const auto number = [&](const Zone::Cell &cell)
-  { return (static_cast<std::size_t>(cell[0]) * n[1] + cell[1]) * n[2] + cell[2]; };
   SlavedPoints(communicator_, elements_, points_.lattice(),
                [&](const Zone::Cell &cell)
-               { return !was_free[number(cell)] && zone_.layer(cell) < zone_.far(); })
+               { return !was_free[zone_.number(cell)] && zone_.layer(cell) < zone_.far(); })
       .follow(elements_, points_.state());
 
   const auto &box = points_.lattice().box();

@@ -42,40 +42,60 @@ Zone::Zone(const std::array<int, 3> &n_cells, const int reach, const BlendFuncti
 {
 }
 
+/// The cells of a box that lie in the plate.
+template <class Visitor>
+void Zone::for_each_cell_in(const Cells &box, Visitor &&visit) const
+{
+  for (int i = std::max(0, box.low[0]); i < std::min(n_[0], box.high[0]); ++i)
+    for (int j = std::max(0, box.low[1]); j < std::min(n_[1], box.high[1]); ++j)
+      for (int k = std::max(0, box.low[2]); k < std::min(n_[2], box.high[2]); ++k)
+        visit(number({i, j, k}));
+}
+
+bool Zone::would_grow(const std::vector<Cells> &boxes) const
+{
+  bool changes = false;
+  for (const auto &box : boxes)
+    for_each_cell_in(box, [&](const std::size_t c) { changes = changes || layers_[c] != 0; });
+  return changes;
+}
+
 bool Zone::grow(const std::vector<Cells> &boxes)
 {
-  bool changed = false;
+  if (!would_grow(boxes))
+    return false;
   for (const auto &box : boxes)
-    for (int i = std::max(0, box.low[0]); i < std::min(n_[0], box.high[0]); ++i)
-      for (int j = std::max(0, box.low[1]); j < std::min(n_[1], box.high[1]); ++j)
-        for (int k = std::max(0, box.low[2]); k < std::min(n_[2], box.high[2]); ++k)
-        {
-          auto &layer = layers_[number({i, j, k})];
-          changed     = changed || layer != 0;
-          layer       = 0;
-        }
-  if (changed)
-    find_layers();
-  return changed;
+    for_each_cell_in(box, [&](const std::size_t c) { layers_[c] = 0; });
+  find_layers();
+  return true;
+}
+
+std::vector<char> Zone::rim(const int width) const
+{
+  std::vector<char> near(layers_.size());
+  for (std::size_t c = 0; c < layers_.size(); ++c)
+    near[c] = layers_[c] != 0;
+  for (int i = 0; i < width; ++i)
+    dilate(near, n_);
+  for (std::size_t c = 0; c < layers_.size(); ++c)
+    near[c] = near[c] && layers_[c] == 0;
+  return near;
 }
 
 void Zone::set_contact_region(const std::vector<Cells> &boxes)
 {
   std::fill(contact_.begin(), contact_.end(), 0);
   for (const auto &box : boxes)
-    for_each_cell(
-        [&](const Cell &cell)
-        {
-          bool inside = true, surface = false;
-          for (int d = 0; d < 3; ++d)
-          {
-            inside  = inside && cell[d] >= box.low[d] && cell[d] < box.high[d];
-            // y = 0 may be a symmetry plane; contact points there do no harm.
-            surface = surface || cell[d] == 0 || cell[d] == n_[d] - 1;
-          }
-          if (inside && surface)
-            contact_[number(cell)] = 1;
-        });
+    for_each_cell_in(box, [&](const std::size_t c) { contact_[c] = 1; });
+  for_each_cell(
+      [&](const Cell &cell)
+      {
+        // y = 0 may be a symmetry plane; contact points there do no harm.
+        bool surface = false;
+        for (int d = 0; d < 3; ++d)
+          surface = surface || cell[d] == 0 || cell[d] == n_[d] - 1;
+        contact_[number(cell)] = contact_[number(cell)] && surface;
+      });
 }
 
 void Zone::find_layers()

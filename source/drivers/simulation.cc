@@ -3,6 +3,7 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/dynamics/coupled_time_step.h"
 #include "ricochet/dynamics/stable_time_step.h"
 
 #include <cmath>
@@ -31,10 +32,6 @@ std::string broadcast(const MPI_Comm communicator, std::string text, const int r
   return text;
 }
 
-int points_along(const double length, const double spacing)
-{
-  return std::max(1, static_cast<int>(std::lround(length / spacing)));
-}
 } // namespace
 
 double critical_stretch(const MaterialParameters &material, const Stencil &stencil)
@@ -80,9 +77,7 @@ void Simulation::build_plates()
     Lattice::Box box;
     box.spacing  = plate.spacing;
     box.mirror_y = scene_.symmetric;
-    box.n        = {points_along(plate.length, plate.spacing),
-                    points_along(plate.width / multiplicity_, plate.spacing),
-                    points_along(plate.thickness, plate.spacing)};
+    box.n        = lattice_points(scene_, plate);
     top -= i == 0 ? 0. : plate.gap;
     const double thickness = box.n[2] * plate.spacing;
     box.corner = {0., scene_.symmetric ? 0. : -0.5 * box.n[1] * plate.spacing, top - thickness};
@@ -92,8 +87,21 @@ void Simulation::build_plates()
     const PeridynamicMaterial bonds{&law, material.density, material.bulk_modulus,
                                     material.shear_modulus,
                                     ricochet::critical_stretch(material, stencil)};
+    zones_.push_back(plate_zone(scene_, plate, box, stencil));
+    auto &zone = zones_.back();
     plates_.push_back(std::make_unique<PeridynamicForce>(communicator_, static_cast<int>(i), box,
-                                                         stencil, bonds));
+                                                         stencil, bonds, Lattice::Mask{}, nullptr,
+                                                         zone.zone.get()));
+    far_fields_.push_back(nullptr);
+    zone_watches_.push_back(nullptr);
+    if (zone.zone == nullptr)
+      continue;
+    far_fields_.back() =
+        std::make_unique<FarField>(communicator_, *plates_.back(), *zone.zone, zone.options);
+    zone_watches_.back() = std::make_unique<ZoneWatch>(
+        communicator_, *far_fields_.back(),
+        ZoneWatch::Parameters{scene_.zone.conversion_stretch * bonds.critical_stretch,
+                              scene_.zone.adaptive});
   }
 }
 
@@ -152,9 +160,12 @@ void Simulation::choose_time_step()
 {
   double largest  = 0.;
   time_step_info_ = {0., 0., 0.};
-  for (const auto &plate : plates_)
+  for (std::size_t i = 0; i < plates_.size(); ++i)
   {
-    const auto estimate  = estimate_largest_frequency(communicator_, *plate);
+    const auto &plate    = plates_[i];
+    const auto estimate  = far_fields_[i]
+                               ? estimate_largest_frequency(communicator_, *far_fields_[i])
+                               : estimate_largest_frequency(communicator_, *plate);
     const double spacing = plate->lattice().box().spacing;
     const double stiffness =
         scene_.contact.stiffness_factor * youngs_modulus(plate->material()) * spacing;
@@ -183,6 +194,8 @@ void Simulation::evaluate(const bool energy)
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     plates_[i]->update_ghosts();
+    if (zone_watches_[i] && zone_watches_[i]->update(time_, dt_))
+      plates_[i]->update_ghosts();
     plates_[i]->evaluate(/*breaking=*/true, energy);
     fractures_[i].record(dt_);
     const auto part = contacts_[i].evaluate(*projectile_, *plates_[i]);
@@ -197,6 +210,9 @@ void Simulation::evaluate(const bool energy)
         std::max(reaction_.deepest, part.deepest / plates_[i]->lattice().box().spacing);
   }
   debris_->evaluate(dt_);
+  for (const auto &far_field : far_fields_)
+    if (far_field)
+      far_field->evaluate(energy);
 }
 
 void Simulation::advance()
@@ -204,6 +220,11 @@ void Simulation::advance()
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     plates_[i]->advance(dt_, dt_);
+    if (far_fields_[i])
+    {
+      far_fields_[i]->advance(dt_, dt_);
+      far_fields_[i]->lead();
+    }
     contacts_[i].record_work(*plates_[i], dt_);
   }
   const Vector3 velocity = projectile_->motion().velocity, spin = projectile_->motion().spin;
@@ -245,21 +266,20 @@ EnergyBalance Simulation::energies() const
   e.friction = -work_on_projectile_;
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
-    const auto &plate      = *plates_[i];
-    const Lattice &lattice = plate.lattice();
-    const auto &a          = plate.state().arrays;
-    PlaneSums<2> sums(lattice.box().n[0]);
-    lattice.for_each_owned(
-        [&](const std::ptrdiff_t p)
-        {
-          const Vector3 v = at(a.velocity, p);
-          auto &sum       = sums[lattice.plane_of(p)];
-          sum[0] += 0.5 * plate.point_mass() * v.dot(v + dt_ / plate.point_mass() * at(a.force, p));
-          sum[1] += a.energy[p];
-        });
-    const auto sum = sums.total(communicator_);
-    e.kinetic += multiplicity_ * sum[0];
-    e.strain += multiplicity_ * sum[1];
+    if (far_fields_[i])
+    {
+      const auto sum = far_fields_[i]->energies(dt_);
+      e.kinetic += multiplicity_ * sum.kinetic;
+      e.strain += multiplicity_ * sum.strain;
+      e.hourglass += multiplicity_ * sum.hourglass;
+      e.conversion += multiplicity_ * zone_watches_[i]->loss();
+    }
+    else
+    {
+      const auto sum = plates_[i]->energies(dt_);
+      e.kinetic += multiplicity_ * sum.kinetic;
+      e.strain += multiplicity_ * sum.strain;
+    }
     e.friction -= contacts_[i].work_on_points();
     e.fracture += fractures_[i].total(communicator_).energy;
   }
@@ -271,25 +291,11 @@ MomentumBalance Simulation::momenta() const
   const auto &motion = projectile_->motion();
   const Vector3 p    = projectile_->mass() * motion.velocity;
   MomentumBalance m{p, motion.position.cross(p) + projectile_->angular_momentum()};
-  for (const auto &plate : plates_)
+  for (std::size_t i = 0; i < plates_.size(); ++i)
   {
-    const Lattice &lattice = plate->lattice();
-    const auto &a          = plate->state().arrays;
-    PlaneSums<6> sums(lattice.box().n[0]);
-    lattice.for_each_owned(
-        [&](const std::ptrdiff_t i)
-        {
-          const Vector3 linear  = plate->point_mass() * at(a.velocity, i);
-          const Vector3 angular = at(a.position, i).cross(linear);
-          for (int d = 0; d < 3; ++d)
-          {
-            sums[lattice.plane_of(i)][d] += linear[d];
-            sums[lattice.plane_of(i)][3 + d] += angular[d];
-          }
-        });
-    const auto sum = sums.total(communicator_);
-    m.linear += multiplicity_ * Vector3(sum[0], sum[1], sum[2]);
-    m.angular += multiplicity_ * Vector3(sum[3], sum[4], sum[5]);
+    const auto sum = far_fields_[i] ? far_fields_[i]->momenta() : plates_[i]->momenta();
+    m.linear += multiplicity_ * sum.linear;
+    m.angular += multiplicity_ * sum.angular;
   }
   if (scene_.symmetric)
     m.linear.y() = m.angular.x() = m.angular.z() = 0.;

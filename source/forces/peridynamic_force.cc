@@ -2,6 +2,9 @@
 #include "ricochet/forces/peridynamic_force.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/discretization/plane_sums.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -235,6 +238,59 @@ void PeridynamicForce::advance(const double kick, const double drift)
 {
   for (const auto &range : lattice_.owned_ranges())
     kernel_->advance(state_.arrays, range.first, range.last, kick / mass_, drift);
+}
+
+PeridynamicForce::Energies PeridynamicForce::energies(const double dt) const
+{
+  const auto &a = state_.arrays;
+  PlaneSums<2> sums(lattice_.box().n[0]);
+  lattice_.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        auto &sum = sums[lattice_.plane_of(p)];
+        if (lattice_.free(p))
+        {
+          const Vector3 v(a.velocity[0][p], a.velocity[1][p], a.velocity[2][p]),
+              f(a.force[0][p], a.force[1][p], a.force[2][p]);
+          sum[0] += 0.5 * mass_ * v.dot(v + dt / mass_ * f);
+        }
+        sum[1] += a.energy[p];
+      });
+  const auto sum = sums.total(communicator_);
+  return {sum[0], sum[1]};
+}
+
+PeridynamicForce::Momenta PeridynamicForce::momenta() const
+{
+  const auto &a = state_.arrays;
+  PlaneSums<6> sums(lattice_.box().n[0]);
+  lattice_.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        if (!lattice_.free(p))
+          return;
+        const Vector3 linear =
+            mass_ * Vector3(a.velocity[0][p], a.velocity[1][p], a.velocity[2][p]);
+        const Vector3 angular =
+            Vector3(a.position[0][p], a.position[1][p], a.position[2][p]).cross(linear);
+        for (int d = 0; d < 3; ++d)
+        {
+          sums[lattice_.plane_of(p)][d] += linear[d];
+          sums[lattice_.plane_of(p)][3 + d] += angular[d];
+        }
+      });
+  const auto sum = sums.total(communicator_);
+  return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}};
+}
+
+std::vector<double> PeridynamicForce::dilatation_history() const
+{
+  return {state_.arrays.theta, state_.arrays.theta + lattice_.size()};
+}
+
+void PeridynamicForce::restore_dilatation(const std::vector<double> &history)
+{
+  std::copy(history.begin(), history.end(), state_.arrays.theta);
 }
 
 int PeridynamicForce::family_size(const std::ptrdiff_t index, const std::uint8_t *bonds) const

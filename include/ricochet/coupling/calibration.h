@@ -27,8 +27,8 @@ struct CalibrationReport
 
 struct CalibrationOptions
 {
-  int n_iterations = 60;  // at most
-  int round        = 7;  // iterations between two looks at the eigenvalues
+  int n_iterations = 60;   // at most
+  int round        = 7;    // iterations between two looks at the eigenvalues
   double tolerance = 1e-3; // stop when all nodal forces are below [-]
   bool clip        = true; // false for studies of what happens then
 };

@@ -44,12 +44,23 @@ public:
   /// Kick and drift of the nodes [s].
   void advance(double kick, double drift) { elements_.advance(kick, drift); }
 
+  /// Of points and elements together, as their own functions say [J]. Collective.
+  struct Energies
+  {
+    double kinetic, strain, hourglass;
+    double total() const { return kinetic + strain + hourglass; }
+  };
+  Energies energies(double dt) const;
+  PeridynamicForce::Momenta momenta() const;
+
   /// The cells become part of the zone, with the present motion of the elements there; the
   /// interface is set up anew. Returns whether anything changed. Collective.
   bool convert(const std::vector<Zone::Cells> &cells);
+  bool would_grow(const std::vector<Zone::Cells> &cells) const { return zone_.would_grow(cells); }
 
   const Zone &zone() const { return zone_; }
   PeridynamicForce &points() { return points_; }
+  const PeridynamicForce &points() const { return points_; }
   FiniteElementForce &elements() { return elements_; }
   const FiniteElementForce &elements() const { return elements_; }
   const CalibrationReport &calibration() const { return calibration_; }

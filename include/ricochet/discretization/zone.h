@@ -88,6 +88,16 @@ public:
   /// Share of the point's peridynamic energy that counts [-].
   double weight(int x, int y, int z) const;
 
+  /// Per cell (see number()), whether it is free and at most so many cells away from one that is
+  /// not.
+  std::vector<char> rim(int width) const;
+  /// Whether grow() would change anything.
+  bool would_grow(const std::vector<Cells> &boxes) const;
+
+  std::size_t number(const Cell &cell) const
+  {
+    return (static_cast<std::size_t>(cell[0]) * n_[1] + cell[1]) * n_[2] + cell[2];
+  }
   std::int64_t n_free_cells() const;
   std::int64_t n_slaved_cells() const;
   std::int64_t n_cells_in_all() const { return static_cast<std::int64_t>(layers_.size()); }
@@ -102,10 +112,8 @@ public:
   }
 
 private:
-  std::size_t number(const Cell &cell) const
-  {
-    return (static_cast<std::size_t>(cell[0]) * n_[1] + cell[1]) * n_[2] + cell[2];
-  }
+  template <class Visitor>
+  void for_each_cell_in(const Cells &box, Visitor &&visit) const;
   void find_layers();
 
   std::array<int, 3> n_;

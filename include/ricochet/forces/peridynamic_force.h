@@ -54,6 +54,26 @@ public:
   /// first half step.
   void advance(double kick, double drift);
 
+  struct Energies // of this body as computed, without the mirrored half [J]
+  {
+    double kinetic, strain;
+  };
+  struct Momenta
+  {
+    Vector3 linear;  // [kg m/s]
+    Vector3 angular; // about the origin [kg m^2/s]
+  };
+  /// At the present time, where velocities are those of half a step before: kinetic energy is 1/2 m
+  /// v- . v+, of free points. After evaluate() with energies and all forces, before advance().
+  /// Collective.
+  Energies energies(double dt) const;
+  /// Of the free points, half a step before the present time. Collective.
+  Momenta momenta() const;
+
+  /// The dilatation of the last evaluate(), to be put back after others that are not steps.
+  std::vector<double> dilatation_history() const;
+  void restore_dilatation(const std::vector<double> &history);
+
   const Lattice &lattice() const { return lattice_; }
   LatticeState &state() { return state_; }
   const LatticeState &state() const { return state_; }
@@ -78,6 +98,14 @@ public:
   /// Calls visit(p, q, k) for every broken bond k from point p to q, in ascending order.
   template <class Visitor>
   void for_each_broken_bond(Visitor &&visit) const;
+
+  /// The zone's cell of a point of the lattice; images belong to their original's.
+  Zone::Cell cell_of(const std::ptrdiff_t index) const
+  {
+    const auto c = lattice_.coordinates(index);
+    return {c[0] / Zone::points_per_edge, (c[1] < 0 ? -1 - c[1] : c[1]) / Zone::points_per_edge,
+            c[2] / Zone::points_per_edge};
+  }
 
   /// Damage of an owned point: share of its family that is broken [-].
   double damage(std::ptrdiff_t index) const;
