@@ -238,6 +238,22 @@ private:
           simulation_.time() / us, deepest_);
   }
 
+  /// Per plate, x from and to, y from and to, z from and to.
+  nlohmann::ordered_json damaged_boxes() const
+  {
+    auto boxes = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < simulation_.plates().size(); ++i)
+    {
+      const auto [low, high] = simulation_.damaged_box(i);
+      auto box               = nlohmann::ordered_json::array();
+      for (int d = 0; d < 3 && low[d] <= high[d]; ++d)
+        for (const double x : {low[d], high[d]})
+          box.push_back(std::round(1e3 * x / mm) / 1e3);
+      boxes.push_back(box);
+    }
+    return boxes;
+  }
+
   nlohmann::ordered_json finish(const Verdict &verdict, const bool failed)
   {
     const auto &motion        = simulation_.projectile().motion();
@@ -265,6 +281,7 @@ private:
     s["angular_momentum_drift"] = drift(momenta.angular, start_momenta_.angular);
     s["deepest_penetration_dx"] = deepest_;
     s["broken_bonds"]           = std::llround(broken_bonds_);
+    s["damaged_boxes_mm"]       = damaged_boxes();
     s["points"]                 = std::llround(n_points_);
     s["bonds"]                  = std::llround(n_bonds_);
     s["steps"]                  = simulation_.step();

@@ -16,7 +16,12 @@ BondHistory::BondHistory(const Lattice &lattice, const FamilyConstants &family,
   for (const auto &offset : lattice.stencil().offsets)
     shifts_.push_back(lattice.shift(offset));
   for (const auto &branch : series)
+  {
     branches_.push_back(maxwell_step(branch, dt));
+    halted_branches_.push_back(branches_.back());
+    halted_branches_.back().decay = 1.;
+    halted_branches_.back().feed  = 0.;
+  }
   const std::size_t n_bonds = lattice.size() * constants.size() * series.size();
   if (precision == HistoryPrecision::single_precision)
     single_history_.assign(n_bonds, 0.f);
@@ -70,10 +75,14 @@ double BondHistory::back_extension(const std::ptrdiff_t point, const std::size_t
 
 void BondHistory::begin(const LatticeArrays &a)
 {
-  if (!first_step_)
-    for (std::size_t k = 0; k < branches_.size(); ++k)
-      for (std::ptrdiff_t p = lattice_.owned_begin(); p < lattice_.owned_end(); ++p)
-        theta_history_[k][p] = next_history(branches_[k], a.theta[p], theta_history_[k][p]);
+  if (!first_step_ && !begun_)
+    for_each_block_point(
+        [&](const std::ptrdiff_t p)
+        {
+          for (std::size_t k = 0; k < branches_.size(); ++k)
+            theta_history_[k][p] = next_history(branches_[k], a.theta[p], theta_history_[k][p]);
+        });
+  begun_ = true;
 }
 
 void BondHistory::close_theta(const LatticeArrays &a, const BrokenBonds *broken,
@@ -111,19 +120,20 @@ void BondHistory::close_theta(const LatticeArrays &a, const BrokenBonds *broken,
   double at_once = K / (10. * mu) - 1. / 6.;
   for (const auto &branch : branches_)
     at_once += branch.share * branch.lag / 6.;
-  for (std::ptrdiff_t p = lattice_.owned_begin(); p < lattice_.owned_end(); ++p)
-  {
-    double s = at_once * a.theta[p];
-    for (std::size_t k = 0; k < branches_.size(); ++k)
-      s += branches_[k].share / 6. * theta_history_[k][p];
-    volumetric_[p] = s;
-  }
+  for_each_block_point(
+      [&](const std::ptrdiff_t p)
+      {
+        double s = at_once * a.theta[p];
+        for (std::size_t k = 0; k < branches_.size(); ++k)
+          s += branches_[k].share / 6. * theta_history_[k][p];
+        volumetric_[p] = s;
+      });
 }
 
-RelaxingBonds BondHistory::bonds()
+RelaxingBonds BondHistory::bonds(const bool is_step)
 {
   return {static_cast<int>(branches_.size()),
-          branches_.data(),
+          is_step ? branches_.data() : halted_branches_.data(),
           single_history_.empty() ? nullptr : single_history_.data(),
           double_history_.empty() ? nullptr : double_history_.data(),
           volumetric_.data(),
@@ -131,48 +141,54 @@ RelaxingBonds BondHistory::bonds()
           dt_};
 }
 
-void BondHistory::end(const LatticeArrays &a, const bool measured)
+void BondHistory::end(const LatticeArrays &a, const bool measured, const bool is_step)
 {
-  ++steps_since_measured_;
   const bool first = first_step_;
-  first_step_      = false;
+  if (is_step)
+  {
+    ++steps_since_measured_;
+    first_step_ = begun_ = false;
+  }
   if (!measured)
     return;
 
   // K theta^2/2 - (5/6) [mu_inf theta^2 + sum mu_k (theta - theta_b,k)^2], and the dissipation of
-  // the second part as in the kernel.
+  // the second part as in the kernel. w theta^2 = (w theta)^2/w; without weight theta is zero.
   const double K = family_.bulk_modulus, mu = family_.shear_modulus, V = family_.volume;
   double equilibrium = 1.;
   for (const auto &branch : branches_)
     equilibrium -= branch.share;
   PlaneSums<1> now(lattice_.box().n[0]);
-  for (std::ptrdiff_t p = lattice_.owned_begin(); p < lattice_.owned_end(); ++p)
-  {
-    if (!lattice_.owned(p))
-      continue;
-    const double theta = a.theta[p], before = a.theta_before[p] - lost_theta_[p];
-    double squares = equilibrium * theta * theta, loss = 0.;
-    for (std::size_t k = 0; k < branches_.size(); ++k)
-    {
-      const auto &branch     = branches_[k];
-      const double g         = theta_history_[k][p];
-      const double held_now  = held(branch, theta, g);
-      const double held_then = held_before(branch, before, g);
-      squares += branch.share * held_now * held_now;
-      loss += branch.share * (held_now + held_then) * ((theta - before) - (held_now - held_then));
-    }
-    a.energy[p] += 0.5 * V * (K * theta * theta - 5. / 3. * mu * squares);
-    now[lattice_.plane_of(p)][0] += dissipated_at_[p] - 5. / 6. * mu * V * loss;
-  }
+  lattice_.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        const double theta = a.theta[p], before = a.theta_before[p] - lost_theta_[p];
+        const double volume = a.weight == nullptr ? V : V / (a.weight[p] + 1e-30);
+        double squares = equilibrium * theta * theta, loss = 0.;
+        for (std::size_t k = 0; k < branches_.size(); ++k)
+        {
+          const auto &branch     = branches_[k];
+          const double g         = theta_history_[k][p];
+          const double held_now  = held(branch, theta, g);
+          const double held_then = held_before(branch, before, g);
+          squares += branch.share * held_now * held_now;
+          loss +=
+              branch.share * (held_now + held_then) * ((theta - before) - (held_now - held_then));
+        }
+        a.energy[p] += 0.5 * volume * (K * theta * theta - 5. / 3. * mu * squares);
+        now[lattice_.plane_of(p)][0] += dissipated_at_[p] - 5. / 6. * mu * volume * loss;
+      });
+  if (!is_step)
+    return;
 
   // Straight between two measured steps; in the first one nothing came before.
-  const double n = steps_since_measured_;
-  if (!first)
-    for (int plane = 0; plane < lattice_.box().n[0]; ++plane)
-      dissipated_[plane][0] += 0.5 * ((n - 1.) * in_one_step_[plane][0] + (n + 1.) * now[plane][0]);
-  if (!first)
-    in_one_step_ = now;
+  const double n        = steps_since_measured_;
   steps_since_measured_ = 0;
+  if (first)
+    return;
+  for (int plane = 0; plane < lattice_.box().n[0]; ++plane)
+    dissipated_[plane][0] += 0.5 * ((n - 1.) * in_one_step_[plane][0] + (n + 1.) * now[plane][0]);
+  in_one_step_ = now;
 }
 
 void BondHistory::start_from(

@@ -11,7 +11,8 @@
 // branch, and theta_b, a sum over bonds, one per point and branch. The form is never negative, also
 // at surfaces and beside broken bonds: so is the dissipation, 2 mu_k Q(e - e_b,k)/theta_k.
 //
-// A bond that breaks takes its back-extension along: theta_b is the sum over intact bonds.
+// A bond that breaks takes its back-extension along: theta_b is the sum over intact bonds. Where
+// points have a weight w (near finite elements), theta and theta_b stand for w theta and w theta_b.
 #pragma once
 
 #include "ricochet/discretization/lattice_state.h"
@@ -41,16 +42,18 @@ public:
 
   // One evaluation of forces calls, in this order:
 
-  /// Before theta is overwritten: the histories of points move on from the step before.
+  /// Before theta is overwritten: the histories of points move on from the step before; once per
+  /// step, however often it is called.
   void begin(const LatticeArrays &arrays);
-  /// After bonds were broken and theta of owned points is complete: takes broken bonds out of
+  /// After bonds were broken and w theta of owned points is complete: takes broken bonds out of
   /// theta_b and fills volumetric() of owned points, which then goes to ghosts and images.
   void close_theta(const LatticeArrays &arrays, const BrokenBonds *broken, std::size_t n_broken);
   double *volumetric() { return volumetric_.data(); }
-  /// For the kernel.
-  RelaxingBonds bonds();
-  /// After the kernel: with `measured`, adds the points' part to energy and dissipation.
-  void end(const LatticeArrays &arrays, bool measured);
+  /// For the kernel; if this is no step, it leaves the history where it is.
+  RelaxingBonds bonds(bool is_step);
+  /// After the kernel: with `measured`, adds the points' part to energy and, in a step,
+  /// dissipation.
+  void end(const LatticeArrays &arrays, bool measured, bool is_step);
 
   /// Whether the dissipation ought to be measured in the present step.
   bool measurement_is_due() const { return steps_since_measured_ + 1 >= measuring_interval; }
@@ -58,6 +61,7 @@ public:
   /// Work that the branches have turned into heat so far [J]. Collective.
   double dissipated(MPI_Comm communicator) const { return dissipated_.total(communicator)[0]; }
 
+  int n_branches() const { return static_cast<int>(branches_.size()); }
   const std::vector<MaxwellStep> &branches() const { return branches_; }
   /// g of the bonds that the last close_theta() took out: per bond, in the order of the log and
   /// then of the lanes, one number per branch [m].
@@ -80,6 +84,15 @@ public:
   double bytes_per_point() const;
 
 private:
+  /// All lanes of blocks with owned points.
+  template <class Visitor>
+  void for_each_block_point(Visitor &&visit) const
+  {
+    for (const auto &range : lattice_.owned_ranges())
+      for (std::ptrdiff_t p = range.first * Lattice::block_size;
+           p < range.last * Lattice::block_size; ++p)
+        visit(p);
+  }
   std::size_t entry(std::ptrdiff_t point, std::size_t offset, int branch) const;
   double read(std::size_t entry) const;
   void write(std::size_t entry, double value);
@@ -90,7 +103,7 @@ private:
   FamilyConstants family_;
   std::vector<BondConstants> constants_;
   std::vector<std::ptrdiff_t> shifts_;
-  std::vector<MaxwellStep> branches_;
+  std::vector<MaxwellStep> branches_, halted_branches_;
   double dt_; // [s]
   std::vector<float> single_history_;
   std::vector<double> double_history_;
@@ -101,7 +114,7 @@ private:
   std::vector<double> broken_;
   PlaneSums<1> dissipated_;  // [J]
   PlaneSums<1> in_one_step_; // when last measured [J]
-  bool first_step_          = true;
+  bool first_step_ = true, begun_ = false;
   int steps_since_measured_ = 0;
 };
 } // namespace ricochet

@@ -100,6 +100,16 @@ public:
   /// last evaluate().
   void set_back_strain(int element, int branch, const Eigen::Matrix3d &E_b);
 
+  /// Elements for whose centre this is false carry neither force nor mass from now on; all others
+  /// do, with the material's moduli until set_stiffness(). Masses are lumped anew. Collective.
+  void set_active(const std::function<bool(const Vector3 &)> &active);
+
+  /// The mass of these elements acts as if it sat in the centres of their eight sub-cubes and not
+  /// in the corners, to first order: correct_mass() adds M_L^-1 (f - M_C a) to a = M_L^-1 f. The
+  /// sum of all forces stays as it is, because the rows of both mass matrices have the same sums.
+  /// Collective.
+  void set_consistent_mass(const std::vector<int> &elements);
+
   /// The node keeps its velocity along this axis, zero unless set otherwise; its force is then the
   /// reaction. `node` is local; on ranks that do not own it the call does nothing.
   void fix(int node, int component);
@@ -110,7 +120,10 @@ public:
 
   /// Overwrites `force` of owned nodes with the internal force; positions of ghosts must be up to
   /// date. With `energy`, also each element's energies. Collective.
-  void evaluate(bool energy);
+  void evaluate(bool energy, bool is_step = true);
+
+  /// Call when all forces are there and before advance(). Collective.
+  void correct_mass();
 
   /// Kick and drift of the owned nodes: v += f kick/m, x += v drift; both in s, equal but in a
   /// first half step.
@@ -143,6 +156,9 @@ public:
     return inverse_mass_[3 * node + component];
   }
 
+  /// f M_eff^-1 f over this rank's nodes, after correct_mass() [N^2/kg].
+  double squared_force() const;
+
   bool is_active(const int element) const { return place_[element].group >= 0; }
   /// Of the last evaluate(true); zero if not active [J].
   double strain_energy(int element) const;
@@ -170,6 +186,9 @@ private:
   };
 
   void lump_mass();
+  void add_mass_difference(const std::vector<double> &acceleration,
+                           std::vector<double> &force) const;
+  void find_spread_momentum();
   void fill(Group &group) const;
   HexGroup view(const Group &group) const;
   std::size_t row(const Group &group, int index, int point, int branch) const;
@@ -177,7 +196,7 @@ private:
   struct Memory
   {
     std::vector<std::vector<double>> points;
-    double dissipated;
+    double dissipated = 0.;
   };
   std::vector<Memory> memories() const;
   void restore(const std::vector<Memory> &memories);
@@ -190,8 +209,17 @@ private:
   std::array<Group, 2> groups_;       // shared moduli, own tensors
   std::vector<Place> place_;          // of each element
   std::vector<MaxwellStep> branches_; // none: elastic
+  std::vector<Memory> past_;          // of elements that may get their tensors back
+  double dissipated_elsewhere_ = 0.;  // by elements that are not active any more [J]
   std::vector<char> active_;
   std::vector<double> position_, velocity_, force_;
+  bool spreads_mass_ = false;     // the same on all ranks
+  std::vector<int> spread_;       // elements of consistent mass
+  std::vector<int> spread_nodes_; // owned nodes among their corners
+  // Per component of spread_nodes_: the force before its correction [N], and M_eff v, where
+  // M_eff^-1 is the corrected inverse: what the forces have added up to [kg m/s].
+  std::vector<double> spread_force_, spread_momentum_;
+  std::vector<double> acceleration_; // workspace
   std::vector<double> mass_;         // per owned node
   std::vector<double> inverse_mass_; // per component of owned nodes
 };

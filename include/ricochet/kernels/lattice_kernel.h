@@ -22,7 +22,10 @@ struct LatticeArrays
   double *theta_before; // the same one step ago [-]
   double *energy;       // strain energy of the point [J], only if asked for
   uint8_t *bonds;       // one bit per bond, see Lattice::intact_bonds
-  const uint8_t *owned; // one bit per point
+  const uint8_t *free;  // one bit per point that moves by its own force
+  // Near an interface to finite elements only, else null:
+  double *weight; // share of a point's energy that counts [-]
+  double *hold;   // 0 for free points; infinite for others, whose bonds do not break [m]
 };
 
 struct BondTable
@@ -66,6 +69,9 @@ struct LatticeKernel
   /// written.
   int64_t (*stretch)(const LatticeArrays &, const BondTable &, int64_t first_block,
                      int64_t last_block, BrokenBonds *log);
+  /// The same, but breaks only bonds between points that `hold` nothing.
+  int64_t (*stretch_held)(const LatticeArrays &, const BondTable &, int64_t first_block,
+                          int64_t last_block, BrokenBonds *log);
 
   /// Adds bond forces to both ends; `force` must be zero before, theta complete.
   void (*force)(const LatticeArrays &, const BondTable &, int64_t first_block, int64_t last_block);
@@ -74,15 +80,22 @@ struct LatticeKernel
   void (*force_and_energy)(const LatticeArrays &, const BondTable &, int64_t first_block,
                            int64_t last_block);
 
-  /// The same for bonds that relax; moves their history on by one step. Null where a law cannot.
-  /// The second one adds the bonds' part of energy and dissipation, half to either end, and needs
-  /// the velocities that led here.
-  void (*relaxing_force)(const LatticeArrays &, const BondTable &, const RelaxingBonds &,
-                         int64_t first_block, int64_t last_block);
-  void (*relaxing_force_and_energy)(const LatticeArrays &, const BondTable &, const RelaxingBonds &,
-                                    int64_t first_block, int64_t last_block);
+  /// The same two where points have a weight w: a bond has the mean of its ends', and theta stands
+  /// for w theta.
+  void (*weighted_force)(const LatticeArrays &, const BondTable &, int64_t first_block,
+                         int64_t last_block);
+  void (*weighted_force_and_energy)(const LatticeArrays &, const BondTable &, int64_t first_block,
+                                    int64_t last_block);
 
-  /// Kick and drift of owned points: v += f dt/m, x += v dt.
+  /// The same four for bonds that relax; move their history on by one step. Null where a law
+  /// cannot. Those with energy add the bonds' part of energy and dissipation, half to either end,
+  /// and need the velocities that led here.
+  using RelaxingLoop = void (*)(const LatticeArrays &, const BondTable &, const RelaxingBonds &,
+                                int64_t first_block, int64_t last_block);
+  RelaxingLoop relaxing_force, relaxing_force_and_energy;
+  RelaxingLoop weighted_relaxing_force, weighted_relaxing_force_and_energy;
+
+  /// Kick and drift of free points: v += f dt/m, x += v dt.
   void (*advance)(const LatticeArrays &, int64_t first_block, int64_t last_block,
                   double dt_over_mass, double dt);
 };

@@ -6,6 +6,8 @@
 // all) the tension of the bond between i and j is
 //   t = V^2 omega (30 mu/m) [ e - sum_k lambda_k e_b,k + |xi| (s_i + s_j) ],
 //   s = (K/(10 mu) - 1/6) theta + 1/6 sum_k lambda_k theta_b,k.
+// Weighted: where points have a weight w, e counts with the mean of the ends' and s, like theta,
+// stands for w s.
 #pragma once
 
 #include "ricochet/kernels/lattice_kernel.h"
@@ -16,7 +18,7 @@ namespace ricochet
 namespace
 {
 /// T: of the history. n_fixed: number of branches, or 0 for any number.
-template <class T, int n_fixed, bool with_energy>
+template <class T, int n_fixed, bool with_energy, bool weighted>
 void relaxing_force(const LatticeArrays &a, const BondTable &table, const RelaxingBonds &bonds,
                     T *const all_history, const int64_t first, const int64_t last)
 {
@@ -100,9 +102,18 @@ void relaxing_force(const LatticeArrays &a, const BondTable &table, const Relaxi
           }
         }
 
-        const V stiffness = Simd::set(c.extension);
-        const V tension =
-            stiffness * Simd::fma(length, volumetric + Simd::load(bonds.volumetric + q), strain);
+        V stiffness  = Simd::set(c.extension);
+        const V both = volumetric + Simd::load(bonds.volumetric + q);
+        V tension;
+        if constexpr (weighted)
+        {
+          tension = stiffness * (length * both);
+          stiffness =
+              stiffness * Simd::set(0.5) * (Simd::load(a.weight + p) + Simd::load(a.weight + q));
+          tension = Simd::fma(stiffness, strain, tension);
+        }
+        else
+          tension = stiffness * Simd::fma(length, both, strain);
         const V t = Simd::keep(alive, tension * inverse);
         sx        = Simd::fma(t, dx, sx);
         sy        = Simd::fma(t, dy, sy);
@@ -134,26 +145,28 @@ void relaxing_force(const LatticeArrays &a, const BondTable &table, const Relaxi
   }
 }
 
-template <class T, bool with_energy>
+template <class T, bool with_energy, bool weighted>
 void relaxing_force(const LatticeArrays &a, const BondTable &table, const RelaxingBonds &bonds,
                     T *const history, const int64_t first, const int64_t last)
 {
   if (bonds.n_branches == 1)
-    relaxing_force<T, 1, with_energy>(a, table, bonds, history, first, last);
+    relaxing_force<T, 1, with_energy, weighted>(a, table, bonds, history, first, last);
   else if (bonds.n_branches == 2)
-    relaxing_force<T, 2, with_energy>(a, table, bonds, history, first, last);
+    relaxing_force<T, 2, with_energy, weighted>(a, table, bonds, history, first, last);
   else
-    relaxing_force<T, 0, with_energy>(a, table, bonds, history, first, last);
+    relaxing_force<T, 0, with_energy, weighted>(a, table, bonds, history, first, last);
 }
 
-template <bool with_energy>
+template <bool with_energy, bool weighted>
 void relaxing_force(const LatticeArrays &a, const BondTable &table, const RelaxingBonds &bonds,
                     const int64_t first, const int64_t last)
 {
   if (bonds.single_history != nullptr)
-    relaxing_force<float, with_energy>(a, table, bonds, bonds.single_history, first, last);
+    relaxing_force<float, with_energy, weighted>(a, table, bonds, bonds.single_history, first,
+                                                 last);
   else
-    relaxing_force<double, with_energy>(a, table, bonds, bonds.double_history, first, last);
+    relaxing_force<double, with_energy, weighted>(a, table, bonds, bonds.double_history, first,
+                                                  last);
 }
 } // namespace
 } // namespace ricochet
