@@ -110,7 +110,8 @@ FarField::FarField(const MPI_Comm communicator, PeridynamicForce &points, Zone &
   communicator_(communicator),
   points_(points), zone_(zone), options_(options),
   elements_(communicator, mesh_box(points, zone, options), material_of(points),
-            element_options(points, zone, options))
+            element_options(points, zone, options)),
+  calibration_(communicator, points, elements_, options.coupling.calibration)
 {
   join();
   lead();
@@ -123,14 +124,8 @@ void FarField::join()
   switch (options_.coupling.method)
   {
     case CouplingMethod::calibrated_energy_blend:
-    {
-      CalibrationOptions calibration;
-      calibration.n_iterations = options_.coupling.calibration_iterations;
-      calibration.clip         = options_.coupling.clip;
-      elements_.set_stiffness(
-          calibrate(communicator_, points_, elements_, calibration, calibration_));
+      elements_.set_stiffness(calibration_.find());
       break;
-    }
     case CouplingMethod::energy_blend:
       elements_.set_stiffness(blended_stiffness());
       break;

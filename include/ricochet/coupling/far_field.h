@@ -56,14 +56,13 @@ public:
   /// The cells become part of the zone, with the present motion of the elements there; the
   /// interface is set up anew. Returns whether anything changed. Collective.
   bool convert(const std::vector<Zone::Cells> &cells);
-  bool would_grow(const std::vector<Zone::Cells> &cells) const { return zone_.would_grow(cells); }
 
   const Zone &zone() const { return zone_; }
   PeridynamicForce &points() { return points_; }
   const PeridynamicForce &points() const { return points_; }
   FiniteElementForce &elements() { return elements_; }
   const FiniteElementForce &elements() const { return elements_; }
-  const CalibrationReport &calibration() const { return calibration_; }
+  const CalibrationReport &calibration() const { return calibration_.report(); }
 
 private:
   void join();
@@ -76,7 +75,7 @@ private:
   FarFieldOptions options_;
   FiniteElementForce elements_;
   SlavedPoints slaved_;
-  CalibrationReport calibration_{};
+  Calibration calibration_;
   std::vector<double> bond_share_; // of the force of each owned node; force_blend only [-]
   std::vector<double> bond_force_; // workspace [N]
 };
