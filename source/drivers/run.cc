@@ -214,7 +214,8 @@ private:
   {
     while (next_frame_ <= simulation_.time())
       next_frame_ += scene_.output.frame_interval;
-    frames_->write(simulation_.time(), simulation_.points(), simulation_.surface());
+    frames_->write(simulation_.time(), simulation_.points(), simulation_.surface(),
+                   simulation_.elements());
   }
 
   double residual() const

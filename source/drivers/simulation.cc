@@ -3,6 +3,7 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/drivers/element_frame.h"
 #include "ricochet/dynamics/coupled_time_step.h"
 #include "ricochet/dynamics/stable_time_step.h"
 
@@ -463,6 +464,15 @@ PointFrame Simulation::points() const
           frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
         });
   }
+  return frame;
+}
+
+ElementFrame Simulation::elements() const
+{
+  ElementFrame frame;
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+    if (far_fields_[i])
+      add_elements(*far_fields_[i], static_cast<int>(i) + 1, frame);
   return frame;
 }
 
