@@ -2,26 +2,23 @@
 #include "ricochet/coupling/calibration.h"
 
 #include "ricochet/coupling/slaved_points.h"
+#include "ricochet/discretization/exchange.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace ricochet
 {
 namespace
 {
-// All six unit strains (11, 22, 33, 23, 13, 12; shear strains in the engineering sense) are treated
-// at once; two lanes stay empty. Forces are in units of M h^2, stiffness in those of M = K + 4
-// mu/3.
-constexpr int n_strains = 6;
-using Lanes             = Eigen::Array<double, 8, 1>;
-using Triple            = std::array<Lanes, 3>; // per component of a force
-using Tensor            = std::array<double, HexTensors::n_entries>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Tensor  = std::array<double, HexTensors::n_entries>;
 
-constexpr int voigt[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+// A node whose force is too large is mended by the elements so many elements away.
+constexpr int mending_range = 3;
 
 /// dN_a/dX_d times the edge, at the Gauss points.
 struct Gradients
@@ -45,325 +42,155 @@ struct Gradients
 };
 const Gradients gradients;
 
-/// The shape functions at the centres of the sub-cubes.
-double shape(const int corner, const int sub_cube)
+Tensor packed(const Matrix6 &m)
 {
-  double value = 1.;
-  for (int d = 0; d < 3; ++d)
-    value *= ((corner ^ sub_cube) >> d) & 1 ? 0.25 : 0.75;
-  return value;
+  Tensor t;
+  for (int i = 0, k = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j)
+      t[k++] = m(i, j);
+  return t;
 }
 
-/// Forces of the bonds of single points in a uniformly strained plate.
-class BondForces
+Matrix6 unpacked(const Tensor &t)
 {
-public:
-  /// With these parts of the moduli.
-  BondForces(const PeridynamicForce &points, const double bulk_modulus,
-             const double shear_modulus) :
-    lattice_(points.lattice()),
-    n_(lattice_.box().n), mirrored_(lattice_.box().mirror_y), reach_(lattice_.stencil().reach),
-    has_dilatation_(points.material().law->has_dilatation)
+  Matrix6 m;
+  for (int i = 0, k = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j)
+      m(i, j) = m(j, i) = t[k++];
+  return m;
+}
+
+void add(const double factor, const Tensor &x, Tensor &y)
+{
+  for (int k = 0; k < HexTensors::n_entries; ++k)
+    y[k] += factor * x[k];
+}
+
+struct Nodal : std::vector<StrainForces>
+{
+  explicit Nodal(const std::size_t n = 0) :
+    std::vector<StrainForces>(
+        n, StrainForces{StrainLanes::Zero(), StrainLanes::Zero(), StrainLanes::Zero()})
   {
-    const auto &zone = *lattice_.zone();
-    weight_.resize(static_cast<std::size_t>(n_[0]) * n_[1] * n_[2]);
-    std::size_t i = 0;
-    for (int x = 0; x < n_[0]; ++x)
-      for (int y = 0; y < n_[1]; ++y)
-        for (int z = 0; z < n_[2]; ++z)
-          weight_[i++] = static_cast<float>(zone.weight(x, y, z));
-    const auto &law     = *points.material().law;
-    const auto family   = family_constants(lattice_.stencil(), bulk_modulus, shear_modulus);
-    const auto &offsets = lattice_.stencil().offsets;
-    for (std::size_t k = 0; k < offsets.size(); ++k)
-      for (const int sign : {1, -1})
-      {
-        const auto &o = offsets[k];
-        const auto c  = law.bond(family, o.length, o.omega);
-        const Vector3 unit =
-            Vector3(sign * o.x, sign * o.y, sign * o.z) * lattice_.stencil().spacing / o.length;
-        Bond bond{{sign * o.x, sign * o.y, sign * o.z},
-                  unit,
-                  Lanes::Zero(),
-                  c.dilatation,
-                  c.volumetric,
-                  c.extension};
-        for (int d = 0; d < 3; ++d)
-          bond.extension[d] = unit[d] * unit[d] * o.length;
-        bond.extension[3] = unit[1] * unit[2] * o.length;
-        bond.extension[4] = unit[0] * unit[2] * o.length;
-        bond.extension[5] = unit[0] * unit[1] * o.length;
-        bonds_.push_back(bond);
-      }
   }
-
-  /// Force on a point [N].
-  Triple operator()(const int x, const int y, const int z)
-  {
-    Triple force{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
-    const double own  = weight(x, y, z);
-    const Lanes theta = own * dilatation(x, y, z);
-    for (const auto &bond : bonds_)
-    {
-      const int qx = x + bond.offset[0], qz = z + bond.offset[2];
-      int qy = y + bond.offset[1];
-      if (mirrored_ && qy < 0)
-        qy = -1 - qy; // of an image only weight and dilatation are asked, see below
-      if (qx < 0 || qx >= n_[0] || qy < 0 || qy >= n_[1] || qz < 0 || qz >= n_[2])
-        continue;
-      const double other = weight(qx, qy, qz);
-      if (own + other <= 0.)
-        continue;
-      Lanes tension = bond.stiffness * 0.5 * (own + other) * bond.extension;
-      // The dilatation of an image under 23 and 12 is minus that of its original; but near the
-      // plane these strains dilate nothing.
-      if (has_dilatation_)
-        tension += bond.volumetric * (theta + other * dilatation(qx, qy, qz));
-      for (int d = 0; d < 3; ++d)
-        force[d] += tension * bond.unit[d];
-    }
-    return force;
-  }
-
-  double weight(const int x, const int y, const int z) const
-  {
-    return weight_[(static_cast<std::size_t>(x) * n_[1] + y) * n_[2] + z];
-  }
-
-  struct Bond
-  {
-    std::array<int, 3> offset;
-    Vector3 unit;
-    Lanes extension; // under the unit strains [m]
-    double dilatation, volumetric, stiffness;
-  };
-  const std::vector<Bond> &bonds() const { return bonds_; }
-
-private:
-  /// Of a point with all its bonds inside the plate; depends only on how near the faces are.
-  const Lanes &dilatation(const int x, const int y, const int z)
-  {
-    const int at[3] = {x, y, z};
-    int low[3], high[3], key = 0;
-    for (int d = 0; d < 3; ++d)
-    {
-      low[d]  = mirrored_ && d == 1 ? reach_ : std::min(reach_, at[d]);
-      high[d] = std::min(reach_, n_[d] - 1 - at[d]);
-      key     = (key * (reach_ + 1) + low[d]) * (reach_ + 1) + high[d];
-    }
-    const auto [entry, is_new] = dilatations_.emplace(key, Lanes::Zero());
-    if (is_new)
-      for (const auto &bond : bonds_)
-      {
-        bool inside = true;
-        for (int d = 0; d < 3; ++d)
-          inside = inside && bond.offset[d] >= -low[d] && bond.offset[d] <= high[d];
-        if (inside)
-          entry->second += bond.dilatation * bond.extension;
-      }
-    return entry->second;
-  }
-
-  const Lattice &lattice_;
-  std::array<int, 3> n_;
-  bool mirrored_;
-  int reach_;
-  bool has_dilatation_;
-  std::vector<float> weight_;
-  std::vector<Bond> bonds_;
-  std::unordered_map<int, Lanes> dilatations_;
 };
 
-class LeastSquares
+/// What a rank has found and tells the others.
+struct Finding
+{
+  std::uint64_t pattern, similar;
+  std::int64_t cell; // the first of those with the pattern counts, on any number of ranks
+  std::array<Tensor, 8> tensors;
+};
+} // namespace
+
+/// The elements around the zone as unknowns: forces in units of M h^2, stiffness in those of M.
+class Calibration::LeastSquares
 {
 public:
-  /// With these parts of the moduli: all is linear in them.
-  LeastSquares(const MPI_Comm communicator, const PeridynamicForce &points,
-               const FiniteElementForce &elements, const double bulk_modulus,
-               const double shear_modulus) :
-    communicator_(communicator),
-    points_(points), mesh_(elements.mesh()), lattice_(points.lattice()), zone_(*lattice_.zone()),
-    bulk_modulus_(bulk_modulus), shear_modulus_(shear_modulus)
+  LeastSquares(Calibration &owner) :
+    communicator_(owner.communicator_), mesh_(owner.elements_.mesh()),
+    lattice_(owner.points_.lattice()), zone_(*lattice_.zone()), options_(owner.options_)
   {
-    MPI_Comm_size(communicator, &n_ranks_);
-    const double K = bulk_modulus, mu = shear_modulus;
+    MPI_Comm_size(communicator_, &n_ranks_);
+    const double K = owner.moduli_.bulk, mu = owner.moduli_.shear;
     modulus_ = K + 4. / 3. * mu;
     edge_    = Zone::points_per_edge * lattice_.box().spacing;
     solid_.setZero();
     solid_.topLeftCorner<3, 3>().setConstant((K - 2. / 3. * mu) / modulus_);
     for (int i = 0; i < 6; ++i)
       solid_(i, i) += (i < 3 ? 2. : 1.) * mu / modulus_;
-
-    for (std::size_t e = 0; e < mesh_.elements().size(); ++e)
-    {
-      const auto &element = mesh_.elements()[e];
-      if (std::abs(element.edge - edge_) > 0.1 * edge_)
-        continue;
-      const auto cell = cell_at(lattice_.box(), mesh_.centre(element));
-      if (zone_.is_slaved(cell))
-      {
-        elements_.push_back(static_cast<int>(e));
-        cells_.push_back(cell);
-      }
-    }
+    find_elements();
     number_nodes();
+    start(owner);
   }
 
-  std::size_t n_elements() const { return elements_.size(); }
-
-  std::vector<ElementStiffness> solve(const CalibrationOptions &options, CalibrationReport &report)
+  void solve(CalibrationReport &report)
   {
-    BondForces bonds(points_, bulk_modulus_, shear_modulus_);
-    find_start(
-        BondForces(points_, points_.material().bulk_modulus, points_.material().shear_modulus));
-    residual_ = Nodal(n_nodes_);
-    add_bond_forces(bonds);
-    add_free_cells();
-    std::vector<Tensor> change(8 * elements_.size());
-    for (std::size_t i = 0; i < elements_.size(); ++i)
-      for (int g = 0; g < 8; ++g)
-        change[8 * i + g] = packed((start_[i] - 1.) * solid_);
-    apply(change, residual_);
-    complete(residual_);
+    report              = {};
     report.ghost_before = largest(residual_);
-
     // C may become negative where little is left of it. What is cut off then is sought again, from
     // there; the part of the solution space without negative eigenvalues is convex.
-    std::vector<Tensor> stiffness(change.size());
-    for (std::size_t i = 0; i < stiffness.size(); ++i)
-      stiffness[i] = packed(start_[i / 8] * solid_);
-    report.n_iterations        = 0;
-    report.smallest_eigenvalue = std::numeric_limits<double>::max();
-    while (report.n_iterations < options.n_iterations && largest(residual_) > options.tolerance)
+    while (report.n_iterations < options_.n_iterations && largest(residual_) > options_.tolerance)
     {
+      choose_active();
       report.n_iterations +=
-          improve(std::min(options.round, options.n_iterations - report.n_iterations),
-                  options.tolerance, stiffness);
-      const double smallest      = clip(stiffness, options.clip);
-      report.smallest_eigenvalue = std::min(report.smallest_eigenvalue, smallest);
+          improve(std::min(options_.round, options_.n_iterations - report.n_iterations));
+      report.smallest_eigenvalue = std::min(report.smallest_eigenvalue, clip());
     }
     report.ghost_after = largest(residual_);
     MPI_Allreduce(MPI_IN_PLACE, &report.smallest_eigenvalue, 1, MPI_DOUBLE, MPI_MIN, communicator_);
     report.n_elements = static_cast<std::int64_t>(elements_.size());
     MPI_Allreduce(MPI_IN_PLACE, &report.n_elements, 1, MPI_INT64_T, MPI_SUM, communicator_);
+  }
 
+  std::vector<ElementStiffness> stiffness() const
+  {
     std::vector<ElementStiffness> result(elements_.size());
     for (std::size_t i = 0; i < elements_.size(); ++i)
     {
-      result[i].element = elements_[i];
+      result[i].element = elements_[i].number;
       for (int g = 0; g < 8; ++g)
         for (int k = 0; k < HexTensors::n_entries; ++k)
-          result[i].tensors[g][k] = modulus_ * stiffness[8 * i + g][k];
+          result[i].tensors[g][k] = modulus_ * elements_[i].tensors[g][k];
     }
     return result;
   }
 
-private:
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  struct Nodal : std::vector<Triple>
+  std::vector<Finding> findings(const std::unordered_map<std::uint64_t, Tensors> &known) const
   {
-    explicit Nodal(const std::size_t n = 0) :
-      std::vector<Triple>(n, Triple{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()})
-    {
-    }
+    std::vector<Finding> result;
+    for (const auto &element : elements_)
+      if (known.count(element.pattern) == 0)
+        result.push_back({element.pattern, similar(element.cell),
+                          static_cast<std::int64_t>(zone_.number(element.cell)), element.tensors});
+    return result;
+  }
+
+private:
+  /// Less than a horizon from a free face points lack neighbours and are softer than any element:
+  /// what the bonds do there cannot be mended, and trying would spoil the elements around.
+  enum class NodeRole : char
+  {
+    inside,
+    mirror,
+    skin
+  };
+  struct Element
+  {
+    int number; // in the mesh
+    Zone::Cell cell;
+    std::uint64_t pattern;
+    std::array<int, 8> corner; // in nodes_
+    Tensors tensors;
   };
 
-  static Tensor packed(const Matrix6 &m)
+  void find_elements()
   {
-    Tensor t;
-    int k = 0;
-    for (int i = 0; i < 6; ++i)
-      for (int j = i; j < 6; ++j)
-        t[k++] = m(i, j);
-    return t;
-  }
-  static Matrix6 unpacked(const Tensor &t)
-  {
-    Matrix6 m;
-    int k = 0;
-    for (int i = 0; i < 6; ++i)
-      for (int j = i; j < 6; ++j)
-        m(i, j) = m(j, i) = t[k++];
-    return m;
-  }
-
-  /// At most so many steps of conjugate gradients towards the smallest residual with the smallest
-  /// change of the tensors; returns how many.
-  int improve(const int n_iterations, const double tolerance, std::vector<Tensor> &stiffness)
-  {
-    std::vector<Tensor> slope(stiffness.size()), direction;
-    const auto downhill = [&]
+    const auto &box = lattice_.box();
+    for (std::size_t e = 0; e < mesh_.elements().size(); ++e)
     {
-      transpose(residual_, slope);
-      for (auto &tensor : slope)
-        for (double &value : tensor)
-          value = -value;
-    };
-    downhill();
-    direction      = slope;
-    double squared = product(slope, slope);
-    for (int iteration = 1; squared > 0.; ++iteration)
-    {
-      Nodal image(n_nodes_);
-      apply(direction, image);
-      complete(image);
-      const double step = squared / product(image, image);
-      add(step, direction, stiffness);
-      for (std::size_t i = 0; i < residual_.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-          residual_[i][c] += step * image[i][c];
-      if (iteration == n_iterations || largest(residual_) < tolerance)
-        return iteration;
-      downhill();
-      const double next = product(slope, slope), beta = next / squared;
-      squared = next;
-      for (std::size_t i = 0; i < slope.size(); ++i)
-        for (int k = 0; k < HexTensors::n_entries; ++k)
-          direction[i][k] = slope[i][k] + beta * direction[i][k];
-    }
-    return n_iterations;
-  }
-
-  static void add(const double factor, const std::vector<Tensor> &x, std::vector<Tensor> &y)
-  {
-    for (std::size_t i = 0; i < x.size(); ++i)
-      for (int k = 0; k < HexTensors::n_entries; ++k)
-        y[i][k] += factor * x[i][k];
-  }
-
-  /// Raises negative eigenvalues to zero if asked, and keeps the residual up to date; returns the
-  /// smallest one on this rank.
-  double clip(std::vector<Tensor> &stiffness, const bool asked)
-  {
-    std::vector<Tensor> change(stiffness.size(), Tensor{});
-    double smallest = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < stiffness.size(); ++i)
-    {
-      const Matrix6 m = unpacked(stiffness[i]);
-      const Eigen::SelfAdjointEigenSolver<Matrix6> solver(m);
-      smallest = std::min(smallest, solver.eigenvalues()[0]);
-      if (!asked || solver.eigenvalues()[0] >= 0.)
+      const auto &element = mesh_.elements()[e];
+      if (element.edge > 1.5 * edge_)
         continue;
-      const Matrix6 kept = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.).asDiagonal() *
-                           solver.eigenvectors().transpose();
-      change[i]    = packed(kept - m);
-      stiffness[i] = packed(kept);
+      const auto cell = cell_at(box, mesh_.centre(element));
+      if (zone_.is_slaved(cell))
+        elements_.push_back(
+            {static_cast<int>(e), cell, cell_pattern(zone_, cell, box.mirror_y), {}, {}});
     }
-    Nodal image(n_nodes_);
-    apply(change, image);
-    complete(image);
-    for (std::size_t i = 0; i < residual_.size(); ++i)
-      for (int c = 0; c < 3; ++c)
-        residual_[i][c] += image[i][c];
-    return smallest;
+  }
+
+  std::uint64_t similar(const Zone::Cell &cell) const
+  {
+    return cell_pattern(zone_, cell, lattice_.box().mirror_y, /*around=*/1, /*faces=*/3);
   }
 
   /// Only nodes of these elements matter, those of other ranks' elements included.
   void number_nodes()
   {
     std::vector<double> touched(3 * static_cast<std::size_t>(mesh_.n_nodes()), 0.);
-    for (const int e : elements_)
-      for (const int node : mesh_.elements()[e].nodes)
+    for (const auto &element : elements_)
+      for (const int node : mesh_.elements()[element.number].nodes)
         touched[3 * node] = 1.;
     if (n_ranks_ > 1)
     {
@@ -372,77 +199,63 @@ private:
       for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
         touched[3 * node] = owned[3 * node];
     }
-    number_.assign(mesh_.n_nodes(), -1);
+    std::vector<int> number(mesh_.n_nodes(), -1);
     for (int node = 0; node < mesh_.n_nodes(); ++node)
       if (touched[3 * node] > 0.)
       {
-        number_[node] = static_cast<int>(nodes_.size());
+        number[node] = static_cast<int>(nodes_.size());
         nodes_.push_back(node);
       }
-    n_nodes_ = nodes_.size();
-    for (const int e : elements_)
+    for (const int node : nodes_)
     {
-      std::array<int, 8> corners;
+      const auto &box      = lattice_.box();
+      const double horizon = lattice_.stencil().horizon * (1. - 1e-9);
+      const Vector3 low    = mesh_.reference_position(node) - box.corner,
+                    high   = box.spacing * Vector3(box.n[0], box.n[1], box.n[2]) - low;
+      bool skin            = false;
+      for (int d = 0; d < 3; ++d)
+        skin = skin || high[d] < horizon || (low[d] < horizon && !(d == 1 && box.mirror_y));
+      role_.push_back(skin                          ? NodeRole::skin
+                      : mesh_.on_mirror_plane(node) ? NodeRole::mirror
+                                                    : NodeRole::inside);
+    }
+    for (auto &element : elements_)
       for (int a = 0; a < 8; ++a)
-        corners[a] = number_[mesh_.elements()[e].nodes[a]];
-      corners_.push_back(corners);
-    }
+        element.corner[a] = number[mesh_.elements()[element.number].nodes[a]];
   }
 
-  /// Share of the bond stress that an element lacks: that of its points.
-  void find_start(const BondForces &bonds)
+  /// First tensors and their residual: bonds plus what the elements have less than in full, minus
+  /// the elements that the cells of the zone would be.
+  void start(Calibration &owner)
   {
-    const auto &box = lattice_.box();
-    double all      = 0.;
-    for (const auto &bond : bonds.bonds())
-      all += bond.stiffness * bond.extension[0] * bond.unit[0] * bond.unit[0];
-    for (const auto &cell : cells_)
-    {
-      double present    = 0.;
-      const int base[3] = {2 * cell[0], 2 * cell[1], 2 * cell[2]};
-      for (int sub = 0; sub < 8; ++sub)
-      {
-        const int p[3]   = {base[0] + (sub & 1), base[1] + ((sub >> 1) & 1), base[2] + (sub >> 2)};
-        const double own = bonds.weight(p[0], p[1], p[2]);
-        for (const auto &bond : bonds.bonds())
-        {
-          int q[3];
-          bool inside = true;
-          for (int d = 0; d < 3; ++d)
-          {
-            q[d] = p[d] + bond.offset[d];
-            if (box.mirror_y && d == 1 && q[d] < 0)
-              q[d] = -1 - q[d];
-            inside = inside && q[d] >= 0 && q[d] < box.n[d];
-          }
-          const double other = inside ? bonds.weight(q[0], q[1], q[2]) : own;
-          present += 0.5 * (own + other) * bond.stiffness * bond.extension[0] * bond.unit[0] *
-                     bond.unit[0];
-        }
-      }
-      start_.push_back(std::clamp(1. - present / (8. * all), 0., 1.));
-    }
-  }
-
-  void add_bond_forces(BondForces &bonds)
-  {
+    residual_         = Nodal(nodes_.size());
     const double unit = 1. / (modulus_ * edge_ * edge_);
-    for (std::size_t i = 0; i < elements_.size(); ++i)
-      for (int sub = 0; sub < 8; ++sub)
-      {
-        const auto &cell   = cells_[i];
-        const Triple force = bonds(2 * cell[0] + (sub & 1), 2 * cell[1] + ((sub >> 1) & 1),
-                                   2 * cell[2] + (sub >> 2));
-        for (int a = 0; a < 8; ++a)
-          for (int c = 0; c < 3; ++c)
-            residual_[corners_[i][a]][c] += unit * shape(a, sub) * force[c];
-      }
+    const Tensor full = packed(solid_);
+    for (auto &element : elements_)
+    {
+      const auto &bonds = owner.forces_.of(element.cell, element.pattern);
+      for (int a = 0; a < 8; ++a)
+        for (int c = 0; c < 3; ++c)
+          residual_[element.corner[a]][c] += unit * bonds.corner[a][c];
+      if (const auto same = owner.found_.find(element.pattern); same != owner.found_.end())
+        element.tensors = same->second;
+      else if (const auto near = owner.similar_.find(similar(element.cell));
+               near != owner.similar_.end())
+        element.tensors = near->second;
+      else
+        element.tensors.fill(packed(std::clamp(1. - bonds.stress_share, 0., 1.) * solid_));
+      Tensors less = element.tensors;
+      for (auto &tensor : less)
+        add(-1., full, tensor);
+      apply(element, less, residual_);
+    }
+    subtract_free_cells();
+    complete(residual_);
   }
 
-  /// The elements that the cells of the zone would be, with the opposite sign: at owned nodes.
-  void add_free_cells()
+  void subtract_free_cells()
   {
-    for (std::size_t i = 0; i < n_nodes_; ++i)
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
     {
       if (nodes_[i] >= mesh_.n_owned_nodes())
         continue;
@@ -458,121 +271,225 @@ private:
         for (int c = 0; c < 3; ++c)
           for (int d = 0; d < 3; ++d)
           {
-            // f = -sigma s h^2/4, subtracted
+            // f = -sigma s h^2/4
             const double sign = (corner >> d) & 1 ? 0.25 : -0.25;
-            for (int k = 0; k < n_strains; ++k)
-              residual_[i][c][k] += sign * solid_(voigt[c][d], k);
+            for (int k = 0; k < n_unit_strains; ++k)
+              residual_[i][c][k] += sign * solid_(voigt_number[c][d], k);
           }
       }
     }
   }
 
-  /// Adds the nodal forces of elements with these tensors, 8 per element.
-  void apply(const std::vector<Tensor> &tensors, Nodal &forces) const
+  /// Elements near nodes whose force is too large.
+  void choose_active()
   {
-    for (std::size_t i = 0; i < elements_.size(); ++i)
+    std::vector<char> marked(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      for (const auto &lanes : residual_[i])
+        marked[i] = marked[i] || lanes.abs().maxCoeff() > 0.5 * options_.tolerance;
+    std::vector<char> chosen(elements_.size());
+    for (int step = 0; step < mending_range; ++step)
     {
-      Triple f[8];
-      for (auto &corner : f)
-        corner = {Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
-      for (int g = 0; g < 8; ++g)
-      {
-        Lanes row[6];
-        rows_of(tensors[8 * i + g], row);
-        for (int a = 0; a < 8; ++a)
-        {
-          const double *n = gradients.n[g][a];
-          for (int c = 0; c < 3; ++c)
-            f[a][c] += row[voigt[c][0]] * n[0] + row[voigt[c][1]] * n[1] + row[voigt[c][2]] * n[2];
-        }
-      }
-      for (int a = 0; a < 8; ++a)
-        for (int c = 0; c < 3; ++c)
-          forces[corners_[i][a]][c] -= 0.125 * f[a][c];
+      for (std::size_t i = 0; i < elements_.size(); ++i)
+        chosen[i] = std::any_of(elements_[i].corner.begin(), elements_[i].corner.end(),
+                                [&](const int node) { return marked[node] != 0; });
+      for (std::size_t i = 0; i < elements_.size(); ++i)
+        if (chosen[i])
+          for (const int node : elements_[i].corner)
+            marked[node] = 1;
+      share(marked);
     }
-  }
-
-  static void rows_of(const Tensor &t, Lanes (&row)[6])
-  {
-    int k = 0;
-    for (auto &lanes : row)
-      lanes.setZero();
-    for (int i = 0; i < 6; ++i)
-      for (int j = i; j < 6; ++j, ++k)
-        row[i][j] = row[j][i] = t[k];
-  }
-
-  void transpose(const Nodal &forces, std::vector<Tensor> &tensors) const
-  {
+    active_.clear();
     for (std::size_t i = 0; i < elements_.size(); ++i)
+      if (chosen[i])
+        active_.push_back(static_cast<int>(i));
+  }
+
+  /// What one rank has marked is marked on all that know the node.
+  void share(std::vector<char> &marked) const
+  {
+    if (n_ranks_ == 1)
+      return;
+    std::vector<double> values(3 * static_cast<std::size_t>(mesh_.n_nodes()), 0.);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      values[3 * nodes_[i]] = marked[i];
+    mesh_.add_to_owners(values.data());
+    mesh_.update_ghosts(values.data());
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      marked[i] = values[3 * nodes_[i]] > 0.;
+  }
+
+  /// At most so many steps of conjugate gradients towards the smallest residual with the smallest
+  /// change of the active tensors; returns how many.
+  int improve(const int n_iterations)
+  {
+    std::vector<Tensors> slope(active_.size()), direction;
+    downhill(slope);
+    direction      = slope;
+    double squared = product(slope);
+    for (int iteration = 1; squared > 0.; ++iteration)
+    {
+      Nodal image(nodes_.size());
+      for (std::size_t i = 0; i < active_.size(); ++i)
+        apply(elements_[active_[i]], direction[i], image);
+      complete(image);
+      const double step = squared / product(image);
+      for (std::size_t i = 0; i < active_.size(); ++i)
+        for (int g = 0; g < 8; ++g)
+          add(step, direction[i][g], elements_[active_[i]].tensors[g]);
+      for (std::size_t i = 0; i < residual_.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+          residual_[i][c] += step * image[i][c];
+      if (iteration == n_iterations || largest(residual_) < options_.tolerance)
+        return iteration;
+      downhill(slope);
+      const double next = product(slope), beta = next / squared;
+      squared = next;
+      for (std::size_t i = 0; i < active_.size(); ++i)
+        for (int g = 0; g < 8; ++g)
+          for (int k = 0; k < HexTensors::n_entries; ++k)
+            direction[i][g][k] = slope[i][g][k] + beta * direction[i][g][k];
+    }
+    return n_iterations;
+  }
+
+  /// Raises negative eigenvalues to zero if asked, and keeps the residual up to date; returns the
+  /// smallest one on this rank, or zero.
+  double clip()
+  {
+    Nodal image(nodes_.size());
+    double smallest = 0.;
+    for (const int i : active_)
+    {
+      Tensors change{};
+      bool changed = false;
       for (int g = 0; g < 8; ++g)
       {
-        Lanes s[6];
+        const Matrix6 m = unpacked(elements_[i].tensors[g]);
+        // Most are positive, and this is the quick way to know.
+        if (Eigen::LLT<Matrix6>(m + 1e-9 * Matrix6::Identity()).info() == Eigen::Success)
+          continue;
+        const Eigen::SelfAdjointEigenSolver<Matrix6> solver(m);
+        smallest = std::min(smallest, solver.eigenvalues()[0]);
+        if (!options_.clip || solver.eigenvalues()[0] >= 0.)
+          continue;
+        const Matrix6 kept = solver.eigenvectors() *
+                             solver.eigenvalues().cwiseMax(0.).asDiagonal() *
+                             solver.eigenvectors().transpose();
+        change[g]               = packed(kept - m);
+        elements_[i].tensors[g] = packed(kept);
+        changed                 = true;
+      }
+      if (changed)
+        apply(elements_[i], change, image);
+    }
+    complete(image);
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        residual_[i][c] += image[i][c];
+    return smallest;
+  }
+
+  /// Adds the nodal forces of an element with these tensors.
+  static void apply(const Element &element, const Tensors &tensors, Nodal &forces)
+  {
+    StrainForces f[8];
+    for (auto &corner : f)
+      corner = {StrainLanes::Zero(), StrainLanes::Zero(), StrainLanes::Zero()};
+    for (int g = 0; g < 8; ++g)
+    {
+      StrainLanes row[6];
+      for (auto &lanes : row)
+        lanes.setZero();
+      for (int i = 0, k = 0; i < 6; ++i)
+        for (int j = i; j < 6; ++j, ++k)
+          row[i][j] = row[j][i] = tensors[g][k];
+      for (int a = 0; a < 8; ++a)
+      {
+        const double *n = gradients.n[g][a];
+        for (int c = 0; c < 3; ++c)
+          f[a][c] += row[voigt_number[c][0]] * n[0] + row[voigt_number[c][1]] * n[1] +
+                     row[voigt_number[c][2]] * n[2];
+      }
+    }
+    for (int a = 0; a < 8; ++a)
+      for (int c = 0; c < 3; ++c)
+        forces[element.corner[a]][c] -= 0.125 * f[a][c];
+  }
+
+  /// Minus the transpose of apply(), of the residual.
+  void downhill(std::vector<Tensors> &slope) const
+  {
+    for (std::size_t i = 0; i < active_.size(); ++i)
+      for (int g = 0; g < 8; ++g)
+      {
+        StrainLanes s[6];
         for (auto &lanes : s)
           lanes.setZero();
         for (int a = 0; a < 8; ++a)
         {
-          const auto &f   = forces[corners_[i][a]];
+          const auto &f   = residual_[elements_[active_[i]].corner[a]];
           const double *n = gradients.n[g][a];
           for (int c = 0; c < 3; ++c)
             for (int d = 0; d < 3; ++d)
-              s[voigt[c][d]] += n[d] * f[c];
+              s[voigt_number[c][d]] += n[d] * f[c];
         }
-        Tensor &t = tensors[8 * i + g];
-        int k     = 0;
-        for (int m = 0; m < 6; ++m)
+        for (int m = 0, k = 0; m < 6; ++m)
           for (int n = m; n < 6; ++n, ++k)
-            t[k] = -0.125 * (m == n ? s[m][n] : s[m][n] + s[n][m]);
+            slope[i][g][k] = 0.125 * (m == n ? s[m][n] : s[m][n] + s[n][m]);
       }
   }
 
-  /// Contributions of all ranks, the same at owners and ghosts; on the symmetry plane only what the
-  /// other half does not cancel.
+  /// Contributions of all ranks, the same at owners and ghosts. On the symmetry plane only what the
+  /// other half does not cancel; nothing in the skin of the plate.
   void complete(Nodal &forces) const
   {
     if (n_ranks_ > 1)
     {
       std::vector<double> values(3 * static_cast<std::size_t>(mesh_.n_nodes()));
-      for (int k = 0; k < n_strains; ++k)
+      for (int k = 0; k < n_unit_strains; ++k)
       {
         std::fill(values.begin(), values.end(), 0.);
-        for (std::size_t i = 0; i < n_nodes_; ++i)
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
           for (int c = 0; c < 3; ++c)
             values[3 * nodes_[i] + c] = forces[i][c][k];
         mesh_.add_to_owners(values.data());
         mesh_.update_ghosts(values.data());
-        for (std::size_t i = 0; i < n_nodes_; ++i)
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
           for (int c = 0; c < 3; ++c)
             forces[i][c][k] = values[3 * nodes_[i] + c];
       }
     }
-    for (std::size_t i = 0; i < n_nodes_; ++i)
-      if (mesh_.on_mirror_plane(nodes_[i]))
-        for (int k = 0; k < n_strains; ++k)
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (role_[i] == NodeRole::skin)
+        forces[i] = {StrainLanes::Zero(), StrainLanes::Zero(), StrainLanes::Zero()};
+      else if (role_[i] == NodeRole::mirror)
+        for (int k = 0; k < n_unit_strains; ++k)
         {
-          const bool symmetric = k != voigt[1][2] && k != voigt[0][1];
+          const bool symmetric = k != voigt_number[1][2] && k != voigt_number[0][1];
           for (int c = 0; c < 3; ++c)
             if (symmetric == (c == 1))
               forces[i][c][k] = 0.;
         }
   }
 
-  double product(const Nodal &x, const Nodal &y) const
+  double product(const Nodal &x) const
   {
     double sum = 0.;
-    for (std::size_t i = 0; i < n_nodes_; ++i)
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i] < mesh_.n_owned_nodes())
-        for (int c = 0; c < 3; ++c)
-          sum += (x[i][c] * y[i][c]).sum();
+        for (const auto &lanes : x[i])
+          sum += lanes.square().sum();
     MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
     return sum;
   }
-  double product(const std::vector<Tensor> &x, const std::vector<Tensor> &y) const
+  double product(const std::vector<Tensors> &x) const
   {
     double sum = 0.;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      for (int k = 0; k < HexTensors::n_entries; ++k)
-        sum += x[i][k] * y[i][k];
+    for (const auto &tensors : x)
+      for (const auto &tensor : tensors)
+        for (const double value : tensor)
+          sum += value * value;
     MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
     return sum;
   }
@@ -588,53 +505,49 @@ private:
 
   MPI_Comm communicator_;
   int n_ranks_;
-  const PeridynamicForce &points_;
   const HexMesh &mesh_;
   const Lattice &lattice_;
   const Zone &zone_;
-  double bulk_modulus_, shear_modulus_; // [Pa]
-  double modulus_, edge_;               // [Pa], [m]
-  Matrix6 solid_;                       // of the plain elements [-]
-  std::vector<int> elements_;
-  std::vector<Zone::Cell> cells_;
-  std::vector<std::array<int, 8>> corners_; // in the numbers below
-  std::vector<int> nodes_, number_;         // local numbers of the mesh, and back
-  std::size_t n_nodes_ = 0;
-  std::vector<double> start_; // w of each element
-  Nodal residual_{0};
+  CalibrationOptions options_;
+  double modulus_, edge_; // M [Pa], h [m]
+  Matrix6 solid_;         // of the plain elements
+  std::vector<Element> elements_;
+  std::vector<int> nodes_;     // local numbers in the mesh
+  std::vector<NodeRole> role_; // of nodes_
+  std::vector<int> active_;    // numbers of elements_ that change
+  Nodal residual_;
 };
-} // namespace
 
-std::vector<ElementStiffness> calibrate(const MPI_Comm communicator, const PeridynamicForce &points,
-                                        const FiniteElementForce &elements,
-                                        const CalibrationOptions &options,
-                                        CalibrationReport &report)
+Calibration::Calibration(const MPI_Comm communicator, const PeridynamicForce &points,
+                         const FiniteElementForce &elements, const ElasticModuli &moduli,
+                         const CalibrationOptions &options) :
+  communicator_(communicator),
+  points_(points), elements_(elements), moduli_(moduli), options_(options), forces_(points, moduli)
 {
-  const double K = elements.material().bulk_modulus, mu = elements.material().shear_modulus;
-  const auto solve =
-      [&](const double bulk_modulus, const double shear_modulus, CalibrationReport &part)
-  {
-    LeastSquares problem(communicator, points, elements, bulk_modulus, shear_modulus);
-    return problem.solve(options, part);
-  };
-  if (elements.material().relaxation.empty())
-    return solve(K, mu, report);
+}
 
-  // Two parts, each without negative eigenvalues, so that any relaxed sum has none either.
-  CalibrationReport of_shear;
-  auto all         = solve(K, 0., report);
-  const auto shear = solve(0., mu, of_shear);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (int g = 0; g < 8; ++g)
-      for (int k = 0; k < HexTensors::n_entries; ++k)
-      {
-        all[i].shear[g][k] = shear[i].tensors[g][k];
-        all[i].tensors[g][k] += shear[i].tensors[g][k];
-      }
-  report = {std::max(report.ghost_before, of_shear.ghost_before),
-            std::max(report.ghost_after, of_shear.ghost_after),
-            std::min(report.smallest_eigenvalue, of_shear.smallest_eigenvalue),
-            report.n_iterations + of_shear.n_iterations, report.n_elements};
-  return all;
+Calibration::~Calibration() = default;
+
+std::vector<ElementStiffness> Calibration::find()
+{
+  LeastSquares problem(*this);
+  problem.solve(report_);
+  remember(problem);
+  return problem.stiffness();
+}
+
+void Calibration::remember(const LeastSquares &problem)
+{
+  const auto own = problem.findings(found_);
+  int n_ranks;
+  MPI_Comm_size(communicator_, &n_ranks);
+  auto all = joined(exchange_lists(communicator_, std::vector<std::vector<Finding>>(n_ranks, own)));
+  std::sort(all.begin(), all.end(),
+            [](const Finding &a, const Finding &b) { return a.cell < b.cell; });
+  for (const auto &finding : all)
+  {
+    found_.emplace(finding.pattern, finding.tensors);
+    similar_.emplace(finding.similar, finding.tensors);
+  }
 }
 } // namespace ricochet

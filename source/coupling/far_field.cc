@@ -110,8 +110,16 @@ FarField::FarField(const MPI_Comm communicator, PeridynamicForce &points, Zone &
   communicator_(communicator),
   points_(points), zone_(zone), options_(options),
   elements_(communicator, mesh_box(points, zone, options), material_of(points),
-            element_options(points, zone, options))
+            element_options(points, zone, options)),
+  calibration_(communicator, points, elements_,
+               {elements_.material().bulk_modulus,
+                elements_.material().relaxation.empty() ? elements_.material().shear_modulus : 0.},
+               options.coupling.calibration)
 {
+  if (!elements_.material().relaxation.empty())
+    shear_calibration_ = std::make_unique<Calibration>(
+        communicator, points, elements_, ElasticModuli{0., elements_.material().shear_modulus},
+        options.coupling.calibration);
   join();
   lead();
 }
@@ -123,14 +131,8 @@ void FarField::join()
   switch (options_.coupling.method)
   {
     case CouplingMethod::calibrated_energy_blend:
-    {
-      CalibrationOptions calibration;
-      calibration.n_iterations = options_.coupling.calibration_iterations;
-      calibration.clip         = options_.coupling.clip;
-      elements_.set_stiffness(
-          calibrate(communicator_, points_, elements_, calibration, calibration_));
+      elements_.set_stiffness(calibrated_stiffness());
       break;
-    }
     case CouplingMethod::energy_blend:
       elements_.set_stiffness(blended_stiffness());
       break;
@@ -178,6 +180,36 @@ void FarField::join()
       bond_share_.push_back(blend(options_.coupling.blend, double(distance) / width));
     }
   }
+}
+
+CalibrationReport FarField::calibration() const
+{
+  CalibrationReport report = calibration_.report();
+  if (shear_calibration_)
+  {
+    const auto &shear          = shear_calibration_->report();
+    report.ghost_before        = std::max(report.ghost_before, shear.ghost_before);
+    report.ghost_after         = std::max(report.ghost_after, shear.ghost_after);
+    report.smallest_eigenvalue = std::min(report.smallest_eigenvalue, shear.smallest_eigenvalue);
+    report.n_iterations += shear.n_iterations;
+  }
+  return report;
+}
+
+std::vector<ElementStiffness> FarField::calibrated_stiffness()
+{
+  auto stiffness = calibration_.find();
+  if (!shear_calibration_)
+    return stiffness;
+  const auto shear = shear_calibration_->find();
+  for (std::size_t i = 0; i < stiffness.size(); ++i)
+  {
+    stiffness[i].shear = shear[i].tensors;
+    for (std::size_t g = 0; g < shear[i].tensors.size(); ++g)
+      for (int k = 0; k < HexTensors::n_entries; ++k)
+        stiffness[i].tensors[g][k] += shear[i].tensors[g][k];
+  }
+  return stiffness;
 }
 
 /// 1 minus the mean weight of the points in an element, times the material's stiffness.

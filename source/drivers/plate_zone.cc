@@ -109,23 +109,19 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
   }
   result.zone->grow(boxes);
 
-  // Contact needs fine elements with points on them where the projectile and debris may be; a zone
-  // that grows needs fine elements wherever it may get to.
-  auto &fine      = result.options.fine_region;
-  const auto path = as_cells(corridor_zone(impact));
-  fine            = path;
+  // A zone that grows needs fine elements wherever it may get to, and so do contact points: where
+  // the projectile and debris may be.
+  auto &fine = result.options.fine_region;
+  fine       = as_cells(corridor_zone(impact));
+  if (scene.zone.grows_everywhere)
+    fine = {{0, 0, 0}, result.zone->n_cells()};
   for (const auto &b : boxes)
     for (int d = 0; d < 3; ++d)
     {
       fine.low[d]  = std::min(fine.low[d], b.low[d]);
       fine.high[d] = std::max(fine.high[d], b.high[d]);
     }
-  if (scene.zone.adaptive)
-    for (int d = 0; d < 3; ++d)
-    {
-      fine.low[d]  = 0;
-      fine.high[d] = result.zone->n_cells()[d];
-    }
+  result.growth_limit = fine;
   result.zone->set_contact_region({fine});
   for (int d = 0; d < 2; ++d)
   {

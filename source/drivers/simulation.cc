@@ -3,6 +3,7 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/drivers/element_frame.h"
 #include "ricochet/dynamics/coupled_time_step.h"
 #include "ricochet/dynamics/stable_time_step.h"
 
@@ -106,7 +107,7 @@ void Simulation::build_plates()
     zone_watches_.back() = std::make_unique<ZoneWatch>(
         communicator_, *far_fields_.back(),
         ZoneWatch::Parameters{scene_.zone.conversion_stretch * bonds.critical_stretch,
-                              scene_.zone.adaptive});
+                              scene_.zone.adaptive, zone.growth_limit});
   }
 }
 
@@ -397,22 +398,52 @@ void Simulation::check_finite() const
   {
     const Lattice &lattice = plates_[i]->lattice();
     const auto &a          = plates_[i]->state().arrays;
-    for (std::ptrdiff_t p = lattice.owned_begin(); p < lattice.owned_end() && complaint.empty();
-         ++p)
-      for (const auto &[name, field] :
-           {std::pair<const char *, double *const *>{"position", a.position},
-            {"velocity", a.velocity},
-            {"force", a.force}})
-        if (complaint.empty() && lattice.owned(p) && !at(field, p).allFinite())
+    const std::array<std::pair<const char *, double *const *>, 3> fields{
+        {{"position", a.position}, {"velocity", a.velocity}, {"force", a.force}}};
+    // A sum that is finite has finite terms, and needs no branches.
+    double sum = 0.;
+    for (const auto &range : lattice.owned_ranges())
+      for (const auto &[name, field] : fields)
+        for (int d = 0; d < 3; ++d)
+          for (std::ptrdiff_t p = range.first * Lattice::block_size;
+               p < range.last * Lattice::block_size; ++p)
+            sum += 0. * field[d][p];
+    if (sum == 0.)
+      continue;
+    lattice.for_each_owned(
+        [&](const std::ptrdiff_t p)
         {
-          const auto c = lattice.coordinates(p);
-          std::ostringstream message;
-          message << "The " << name << " of point (" << c[0] << ", " << c[1] << ", " << c[2]
-                  << ") of plate " << i + 1 << " is not a number at " << 1e6 * time_ << " us (step "
-                  << step_ << "). Lower 'Time/Safety factor' or 'Contact/Stiffness factor'.";
-          complaint = message.str();
-        }
+          for (const auto &[name, field] : fields)
+            if (complaint.empty() && !at(field, p).allFinite())
+            {
+              const auto c = lattice.coordinates(p);
+              std::ostringstream message;
+              message << "The " << name << " of point (" << c[0] << ", " << c[1] << ", " << c[2]
+                      << ") of plate " << i + 1 << " is not a number at " << 1e6 * time_
+                      << " us (step " << step_
+                      << "). Lower 'Time/Safety factor' or 'Contact/Stiffness factor'.";
+              complaint = message.str();
+            }
+        });
   }
+  for (std::size_t i = 0; i < plates_.size() && complaint.empty(); ++i)
+    if (far_fields_[i])
+    {
+      const auto &elements = far_fields_[i]->elements();
+      for (int node = 0; node < elements.mesh().n_owned_nodes() && complaint.empty(); ++node)
+        for (const auto *field : {&elements.position(), &elements.velocity(), &elements.force()})
+          if (!Vector3((*field)[3 * node], (*field)[3 * node + 1], (*field)[3 * node + 2])
+                   .allFinite())
+          {
+            std::ostringstream message;
+            message << "The motion of the element node at ("
+                    << 1e3 * elements.mesh().reference_position(node).transpose()
+                    << ") mm of plate " << i + 1 << " is not a number at " << 1e6 * time_
+                    << " us (step " << step_
+                    << "). Lower 'Time/Safety factor' or choose another 'Coupling/Method'.";
+            complaint = message.str();
+          }
+    }
   int rank, bad;
   MPI_Comm_rank(communicator_, &rank);
   const int mine = complaint.empty() ? std::numeric_limits<int>::max() : rank;
@@ -471,6 +502,15 @@ PointFrame Simulation::points() const
           frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
         });
   }
+  return frame;
+}
+
+ElementFrame Simulation::elements() const
+{
+  ElementFrame frame;
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+    if (far_fields_[i])
+      add_elements(*far_fields_[i], static_cast<int>(i) + 1, frame);
   return frame;
 }
 

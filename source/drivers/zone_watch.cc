@@ -10,9 +10,14 @@ namespace
 constexpr int steps_between_looks = 5;
 // Free cells so near to the interface are looked at: two horizons of three points.
 constexpr int rim_width           = 3;
-// What is in danger is moved so far inside by a conversion, in cells; more means fewer conversions
-// and a larger zone.
-constexpr int growth              = 2;
+// A zone grows by bricks of so many cells along x and y: the same few shapes of the interface come
+// again and again, and conversions are few.
+constexpr int brick               = 4;
+
+int brick_below(const int cell)
+{
+  return (cell >= 0 ? cell : cell - brick + 1) / brick * brick;
+}
 } // namespace
 
 ZoneWatch::ZoneWatch(const MPI_Comm communicator, FarField &far_field,
@@ -81,13 +86,21 @@ bool ZoneWatch::update(const double time, const double dt)
     return false;
   }
 
-  const int reach = rim_width + growth, n_z = far_field_.zone().n_cells()[2];
   std::vector<Zone::Cells> boxes;
   for (const auto &c : columns)
-    boxes.push_back({{c[0] - reach, c[1] - reach, 0}, {c[0] + reach + 1, c[1] + reach + 1, n_z}});
-  if (!far_field_.would_grow(boxes))
   {
-    reached_ = reached_ < 0. ? time : reached_;
+    Zone::Cells box = parameters_.limit;
+    for (int d = 0; d < 2; ++d)
+    {
+      box.low[d]  = std::max(box.low[d], brick_below(c[d] - rim_width));
+      box.high[d] = std::min(box.high[d], brick_below(c[d] + rim_width) + brick);
+    }
+    boxes.push_back(box);
+  }
+  if (!far_field_.zone().would_grow(boxes))
+  {
+    if (reached_ < 0.)
+      reached_ = time;
     return false;
   }
   // The dilatation of the step before belongs to the fracture energy of the next one.

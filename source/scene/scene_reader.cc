@@ -350,6 +350,7 @@ ZoneParameters read_zone(const Parameters &parameters)
                                               {"none", ZoneKind::none}};
   zone.kind               = kinds.at(parameters.text(in, "Zone"));
   zone.adaptive           = parameters.flag(in, "Adaptive");
+  zone.grows_everywhere   = zone.adaptive && parameters.text(in, "Growth") == "plate";
   zone.conversion_stretch = parameters.quantity(in, "Conversion stretch");
   for (const auto &method : coupling_methods)
     if (method.name == parameters.text(in, "Method"))

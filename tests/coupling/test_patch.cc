@@ -14,8 +14,8 @@ TEST(V1Patch, CalibrationConverges)
   for (const int iterations : {0, 10, 20, 30, 40, 60, 80, 160, 320})
   {
     CoupledSample sample;
-    sample.coupling.calibration_iterations = iterations;
-    sample.coupling.correct_mass = false;
+    sample.coupling.calibration.n_iterations = iterations;
+    sample.coupling.correct_mass = false; sample.coupling.calibration.tolerance = 1e-4;
     CoupledPlate plate(sample);
     const auto &r = plate.far->calibration();
     std::printf("%d: %g -> %g, eig %g, it %d n %ld\n", iterations, r.ghost_before, r.ghost_after, r.smallest_eigenvalue, r.n_iterations, (long) r.n_elements);

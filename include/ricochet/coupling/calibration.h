@@ -8,36 +8,61 @@
 // the smallest change of all C_g (in the sense of least squares) is sought that makes the nodal
 // forces under six unit strains those of the plate of elements alone: zero inside, tractions on
 // free surfaces. The solution is found by conjugate gradients on the normal equations, matrix-free,
-// and made non-negative: a sum of energies none of which is negative cannot become unstable. If the
-// shear modulus relaxes, the same is done for the volumetric and the shear part of all stiffness
-// one by one; the report then gives the worse of the two, each in units of its own K + 4 mu/3.
+// and made non-negative: a sum of energies none of which is negative cannot become unstable.
+//
+// Zones grow by the same few shapes again and again. What has been found for a cell is the start
+// for all cells with the same surroundings, and only where that is not good enough is anything
+// sought.
+//
+// All is linear in the moduli. A material whose shear modulus relaxes needs the volumetric and the
+// shear part of all C_g one by one; if neither is negative, no relaxed sum is.
 #pragma once
 
+#include "ricochet/coupling/cell_forces.h"
+#include "ricochet/coupling/coupling_method.h"
 #include "ricochet/forces/finite_element_force.h"
-#include "ricochet/forces/peridynamic_force.h"
 
 namespace ricochet
 {
 struct CalibrationReport
 {
-  // Largest force at a node under a unit strain, in units of (K + 4 mu/3) h^2 [-].
-  double ghost_before, ghost_after; // of the scaled C alone, and of the result
-  double smallest_eigenvalue;       // of any C_g before it is made non-negative, per K + 4 mu/3 [-]
-  int n_iterations;
-  std::int64_t n_elements;
+  // Largest force at a node under a unit strain, in units of M h^2, M = K + 4 mu/3 [-].
+  double ghost_before        = 0.; // of the scaled C alone
+  double ghost_after         = 0.;
+  double smallest_eigenvalue = 0.; // of any C_g before it is made non-negative, if negative [M]
+  int n_iterations           = 0;
+  std::int64_t n_elements    = 0;
 };
 
-struct CalibrationOptions
+class Calibration
 {
-  int n_iterations = 60;   // at most
-  int round        = 7;    // iterations between two looks at the eigenvalues
-  double tolerance = 1e-3; // stop when all nodal forces are below [-]
-  bool clip        = true; // false for studies of what happens then
-};
+public:
+  /// The points must have a zone; both must outlive this object.
+  Calibration(MPI_Comm communicator, const PeridynamicForce &points,
+              const FiniteElementForce &elements, const ElasticModuli &moduli,
+              const CalibrationOptions &options);
+  ~Calibration();
 
-/// The tensors of this rank's elements in the pad and halo of the points' zone. Collective.
-std::vector<ElementStiffness> calibrate(MPI_Comm communicator, const PeridynamicForce &points,
-                                        const FiniteElementForce &elements,
-                                        const CalibrationOptions &options,
-                                        CalibrationReport &report);
+  /// The tensors of this rank's elements in the pad and halo of the zone as it is now. Collective.
+  std::vector<ElementStiffness> find();
+
+  const CalibrationReport &report() const { return report_; } // of the last find()
+
+private:
+  using Tensor  = std::array<double, HexTensors::n_entries>;
+  using Tensors = std::array<Tensor, 8>; // of the Gauss points
+  class LeastSquares;
+
+  void remember(const LeastSquares &problem);
+
+  MPI_Comm communicator_;
+  const PeridynamicForce &points_;
+  const FiniteElementForce &elements_;
+  ElasticModuli moduli_;
+  CalibrationOptions options_;
+  CellForces forces_;
+  CalibrationReport report_;
+  // By pattern, and by one that is less exact; the same on all ranks [M].
+  std::unordered_map<std::uint64_t, Tensors> found_, similar_;
+};
 } // namespace ricochet

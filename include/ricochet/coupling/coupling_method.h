@@ -30,14 +30,21 @@ constexpr std::array<CouplingMethodName, 4> coupling_methods{
      {CouplingMethod::force_blend, "force blend"},
      {CouplingMethod::none, "none"}}};
 
+struct CalibrationOptions
+{
+  int n_iterations = 60;   // at most
+  int round        = 7;    // iterations between two looks at the eigenvalues
+  double tolerance = 1e-3; // stop when all nodal forces are below, in units of M h^2 [-]
+  bool clip        = true; // false for studies of what happens then
+};
+
 struct CouplingParameters
 {
-  CouplingMethod method      = CouplingMethod::calibrated_energy_blend;
+  CouplingMethod method = CouplingMethod::calibrated_energy_blend;
   // Of energy_blend and force_blend:
-  BlendFunction blend        = BlendFunction::cubic; // linear or cubic
-  double blend_width         = 2.;                   // in horizons
-  bool correct_mass          = true;                 // consistent mass of the pad, to first order
-  bool clip                  = true;                 // calibrated tensors are made non-negative
-  int calibration_iterations = 60;
+  BlendFunction blend   = BlendFunction::cubic; // linear or cubic
+  double blend_width    = 2.;                   // in horizons
+  bool correct_mass     = true;                 // consistent mass of the pad, to first order
+  CalibrationOptions calibration;
 };
 } // namespace ricochet

@@ -60,17 +60,18 @@ public:
   /// The cells become part of the zone, with the present motion of the elements there; the
   /// interface is set up anew. Returns whether anything changed. Collective.
   bool convert(const std::vector<Zone::Cells> &cells);
-  bool would_grow(const std::vector<Zone::Cells> &cells) const { return zone_.would_grow(cells); }
 
   const Zone &zone() const { return zone_; }
   PeridynamicForce &points() { return points_; }
   const PeridynamicForce &points() const { return points_; }
   FiniteElementForce &elements() { return elements_; }
   const FiniteElementForce &elements() const { return elements_; }
-  const CalibrationReport &calibration() const { return calibration_; }
+  /// With relaxation the worse of the two parts, each in units of its own M.
+  CalibrationReport calibration() const;
 
 private:
   void join();
+  std::vector<ElementStiffness> calibrated_stiffness();
   std::vector<ElementStiffness> blended_stiffness() const;
   void blend_forces();
 
@@ -80,7 +81,8 @@ private:
   FarFieldOptions options_;
   FiniteElementForce elements_;
   SlavedPoints slaved_;
-  CalibrationReport calibration_{};
+  Calibration calibration_;                        // of all, or of the part that does not relax
+  std::unique_ptr<Calibration> shear_calibration_; // of the part that relaxes
   std::vector<double> bond_share_; // of the force of each owned node; force_blend only [-]
   std::vector<double> bond_force_; // workspace [N]
 };

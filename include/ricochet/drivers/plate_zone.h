@@ -14,7 +14,8 @@ struct PlateZone
 {
   std::unique_ptr<Zone> zone; // null if the plate is peridynamic throughout
   FarFieldOptions options;
-  std::string reason; // for the user
+  Zone::Cells growth_limit{}; // of an adaptive zone
+  std::string reason;         // for the user
 };
 
 /// Points along x, y and z of a plate; with elements a multiple of what their largest cubes hold.

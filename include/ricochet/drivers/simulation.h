@@ -100,6 +100,7 @@ public:
 
   PointFrame points() const; // owned by this rank
   SurfaceFrame surface() const;
+  ElementFrame elements() const; // owned by this rank
 
   /// What limits the step, for the user.
   struct TimeStepInfo

@@ -54,6 +54,7 @@ struct ZoneParameters
 {
   ZoneKind kind             = ZoneKind::everything;
   bool adaptive             = false; // grows ahead of damage
+  bool grows_everywhere     = false; // and not only in the corridor of the impact
   double conversion_stretch = 0.5; // of the critical stretch; beyond, near the interface, it grows
   CouplingParameters coupling;
   int coarsening_levels = -1;    // of the elements; -1: what the plate's points allow, at most 2
