@@ -295,6 +295,47 @@ PeridynamicForce::Momenta FarField::momenta() const
   return {points.linear + nodes.linear, points.angular + nodes.angular};
 }
 
+std::vector<std::vector<double>> FarField::nodal_histories() const
+{
+  constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
+  const auto &mesh     = elements_.mesh();
+  const int n_branches = points_.history()->n_branches();
+  std::vector<double> weight(elements_.force().size(), 0.);
+  std::vector<std::vector<double>> fields(2 * n_branches, weight);
+  for (std::size_t e = 0; e < mesh.elements().size(); ++e)
+  {
+    if (!elements_.is_active(static_cast<int>(e)))
+      continue;
+    const auto &element = mesh.elements()[e];
+    const double volume = element.edge * element.edge * element.edge;
+    for (int k = -1; k < n_branches; ++k)
+    {
+      const Eigen::Matrix3d G =
+          k < 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Ones()) : elements_.history(e, k);
+      for (const int node : element.nodes)
+        for (int i = 0; i < (k < 0 ? 3 : 6); ++i)
+          (k < 0 ? weight : fields[2 * k + i / 3])[3 * node + i % 3] +=
+              volume * G(row[i], column[i]);
+    }
+  }
+  mesh.add_to_owners(weight.data());
+  for (std::size_t f = 0; f < fields.size(); ++f)
+  {
+    mesh.add_to_owners(fields[f].data());
+    for (int node = 0; node < mesh.n_owned_nodes(); ++node)
+      for (int d = 0; d < 3; ++d)
+      {
+        const int i    = 3 * node + d;
+        // The mirrored half takes 23 and 12 away.
+        const bool odd = f % 2 == 1 && d != 1 && mesh.on_mirror_plane(node);
+        fields[f][i]   = weight[i] > 0. && !odd ? fields[f][i] / weight[i] : 0.;
+      }
+    mesh.update_ghosts(fields[f].data());
+    mesh.follow_masters(fields[f].data());
+  }
+  return fields;
+}
+
 bool FarField::convert(const std::vector<Zone::Cells> &cells)
 {
   std::vector<std::uint8_t> before;
@@ -318,10 +359,29 @@ bool FarField::convert(const std::vector<Zone::Cells> &cells)
   points_.follow_zone(Zone::points_per_edge * first, Zone::points_per_edge * last);
 
   // All points that did not move by themselves start from where the nodes are.
-  SlavedPoints(communicator_, elements_, points_.lattice(),
-               [&](const Zone::Cell &cell)
-               { return !was_free[zone_.number(cell)] && zone_.layer(cell) < zone_.far(); })
-      .follow(elements_, points_.state());
+  SlavedPoints starting(communicator_, elements_, points_.lattice(),
+                        [&](const Zone::Cell &cell) {
+                          return !was_free[zone_.number(cell)] && zone_.layer(cell) < zone_.far();
+                        });
+  starting.follow(elements_, points_.state());
+  if (points_.history() != nullptr)
+  {
+    const auto nodal = nodal_histories();
+    PeridynamicForce::TensorFields histories(nodal.size() / 2);
+    for (std::size_t k = 0; k < histories.size(); ++k)
+    {
+      for (auto &field : histories[k])
+        field.assign(points_.lattice().size(), 0.);
+      for (const int half : {0, 1})
+      {
+        double *const fields[3] = {histories[k][3 * half].data(), histories[k][3 * half + 1].data(),
+                                   histories[k][3 * half + 2].data()};
+        starting.interpolate(nodal[2 * k + half], fields);
+      }
+    }
+    points_.update_ghosts();
+    points_.continue_history(histories);
+  }
 
   const auto &box = points_.lattice().box();
   elements_.set_active([&](const Vector3 &centre) { return !zone_.is_free(cell_at(box, centre)); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/forces/bond_history.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ricochet
@@ -208,27 +209,68 @@ void BondHistory::start_from(
         E(1, d) = E(d, 1) = -E(1, d);
     return E;
   };
-  for (auto &field : theta_history_)
-    std::fill(field.begin(), field.end(), 0.);
   const std::size_t n = constants_.size();
   for (std::ptrdiff_t p = 0; p < lattice_.owned_end(); ++p)
     for (std::size_t offset = 0; offset < n; ++offset)
       if ((a.bonds[(p / Lattice::block_size) * n + offset] >> (p % Lattice::block_size)) & 1)
       {
-        const std::ptrdiff_t q = p + shifts_[offset];
-        const Vector3 X        = lattice_.reference_position(lattice_.coordinates(p)),
-                      Y        = lattice_.reference_position(lattice_.coordinates(q));
-        const double e         = extension(a, p, offset, 0.);
-        for (int k = 0; k < static_cast<int>(branches_.size()); ++k)
-        {
-          const Eigen::Matrix3d E = 0.5 * (strain_at(X, k) + strain_at(Y, k));
-          const double g =
-              (Y - X).dot(E * (Y - X)) / constants_[offset].length - branches_[k].lag * e;
-          write(entry(p, offset, k), g);
-          for (const std::ptrdiff_t end : {p, q})
-            theta_history_[k][end] += constants_[offset].dilatation * g;
-        }
+        const Vector3 X = lattice_.reference_position(lattice_.coordinates(p)),
+                      Y = lattice_.reference_position(lattice_.coordinates(p + shifts_[offset]));
+        const double e  = extension(a, p, offset, 0.);
+        for (int k = 0; k < n_branches(); ++k)
+          write(entry(p, offset, k),
+                along(offset, 0.5 * (strain_at(X, k) + strain_at(Y, k))) - branches_[k].lag * e);
       }
+  sum_theta(a);
+}
+
+void BondHistory::take_over(const LatticeArrays &a, const std::vector<std::uint8_t> &chosen,
+                            const std::function<Eigen::Matrix3d(std::ptrdiff_t, int)> &history)
+{
+  begin(a);
+  const std::size_t n = constants_.size();
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    for (int lane = 0; lane < Lattice::block_size && chosen[i] != 0; ++lane)
+      if ((chosen[i] >> lane) & 1)
+      {
+        const std::ptrdiff_t p = static_cast<std::ptrdiff_t>(i / n) * Lattice::block_size + lane,
+                             q = p + shifts_[i % n];
+        for (int k = 0; k < n_branches(); ++k)
+          write(entry(p, i % n, k), along(i % n, 0.5 * (history(p, k) + history(q, k))));
+      }
+  sum_theta(a);
+}
+
+double BondHistory::along(const std::size_t offset, const Eigen::Matrix3d &G) const
+{
+  const auto &o    = lattice_.stencil().offsets[offset];
+  const Vector3 xi = lattice_.stencil().spacing * Vector3(o.x, o.y, o.z);
+  return xi.dot(G * xi) / o.length;
+}
+
+void BondHistory::sum_theta(const LatticeArrays &a)
+{
+  for (auto &field : theta_history_)
+    std::fill(field.begin(), field.end(), 0.);
+  const std::size_t n = constants_.size();
+  for (const auto &range : lattice_.existing_ranges())
+    for (std::ptrdiff_t p = range.first * Lattice::block_size;
+         p < std::min<std::ptrdiff_t>(range.last * Lattice::block_size, lattice_.owned_end()); ++p)
+      for (std::size_t offset = 0; offset < n; ++offset)
+        if ((a.bonds[(p / Lattice::block_size) * n + offset] >> (p % Lattice::block_size)) & 1)
+          for (int k = 0; k < n_branches(); ++k)
+          {
+            const double part = constants_[offset].dilatation * read(entry(p, offset, k));
+            theta_history_[k][p] += part;
+            theta_history_[k][p + shifts_[offset]] += part;
+          }
+  if (a.weight != nullptr)
+    for_each_block_point(
+        [&](const std::ptrdiff_t p)
+        {
+          for (auto &field : theta_history_)
+            field[p] *= a.weight[p];
+        });
 }
 
 double BondHistory::bytes_per_point() const

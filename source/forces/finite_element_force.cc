@@ -375,6 +375,23 @@ void FiniteElementForce::restore(const std::vector<Memory> &memories)
   }
 }
 
+Eigen::Matrix3d FiniteElementForce::history(const int element, const int branch) const
+{
+  const auto &place = place_[element];
+  Eigen::Matrix3d E = Eigen::Matrix3d::Zero();
+  if (place.group < 0 || !relaxes())
+    return E;
+  const auto &group = groups_[place.group];
+  for (int point = 0; point < group.n_points; ++point)
+    for (int i = 0; i < 6; ++i)
+      E(voigt_row[i], voigt_column[i]) +=
+          0.5 * group.history[row(group, place.index, point, 0) + i * block_size] / group.n_points;
+  for (int i = 3; i < 6; ++i)
+    E(voigt_column[i], voigt_row[i]) = E(voigt_row[i], voigt_column[i]);
+  const auto &step = branches_[branch];
+  return step.decay * back_strain(element, branch) + (1. - step.decay - step.lag) * E;
+}
+
 Eigen::Matrix3d FiniteElementForce::back_strain(const int element, const int branch) const
 {
   const auto &place   = place_[element];

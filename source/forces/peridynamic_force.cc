@@ -128,11 +128,40 @@ void PeridynamicForce::follow_zone(const int first, const int last)
   const std::size_t n = shifts_.size();
   auto bonds          = initial_bonds_;
   lattice_.set_intact_bonds(from, to, bonds.data());
+  new_bonds_.assign(history_ ? bonds.size() : 0, 0);
   for (std::size_t i = from * n; i < to * n; ++i)
+  {
     state_.arrays.bonds[i] |= bonds[i] & ~initial_bonds_[i];
+    if (history_)
+      new_bonds_[i] = bonds[i] & ~initial_bonds_[i];
+  }
   initial_bonds_ = std::move(bonds);
   set_families();
   find_bond_ranges();
+}
+
+void PeridynamicForce::continue_history(TensorFields &histories)
+{
+  for (auto &tensor : histories)
+    for (int i = 0; i < 6; ++i)
+    {
+      double *const field = tensor[i].data();
+      halo_.exchange({field});
+      // 23 and 12 change their sign in the mirror.
+      const double sign = i == 3 || i == 5 ? -1. : 1.;
+      lattice_.for_each_image([&](const std::ptrdiff_t image, const std::ptrdiff_t original)
+                              { field[image] = sign * field[original]; });
+    }
+  history_->take_over(state_.arrays, new_bonds_,
+                      [&](const std::ptrdiff_t p, const int k)
+                      {
+                        const auto &t = histories[k];
+                        Eigen::Matrix3d G;
+                        G << t[0][p], t[5][p], t[4][p], t[5][p], t[1][p], t[3][p], t[4][p], t[3][p],
+                            t[2][p];
+                        return G;
+                      });
+  new_bonds_.clear();
 }
 
 std::vector<std::ptrdiff_t>

@@ -74,6 +74,9 @@ private:
   std::vector<ElementStiffness> calibrated_stiffness();
   std::vector<ElementStiffness> blended_stiffness() const;
   void blend_forces();
+  /// Histories of the elements, as means at the nodes: three components each of two fields per
+  /// branch, 11, 22, 33 and 23, 13, 12. Collective.
+  std::vector<std::vector<double>> nodal_histories() const;
 
   MPI_Comm communicator_;
   PeridynamicForce &points_;

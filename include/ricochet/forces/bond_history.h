@@ -81,9 +81,18 @@ public:
   void start_from(const LatticeArrays &arrays,
                   const std::function<Eigen::Matrix3d(const Vector3 &, int)> &back_strain);
 
+  /// The same for the bonds of `chosen` (bits as LatticeArrays::bonds) only, from what a step of
+  /// finite elements would have left: G = r E_b + (1 - r - beta) E of the step before, asked at
+  /// points, ghosts and images too. theta_b of all points is summed anew, with their weights.
+  void take_over(const LatticeArrays &arrays, const std::vector<std::uint8_t> &chosen,
+                 const std::function<Eigen::Matrix3d(std::ptrdiff_t, int)> &history);
+
   double bytes_per_point() const;
 
 private:
+  void sum_theta(const LatticeArrays &arrays);
+  /// xi . G . xi/|xi|
+  double along(std::size_t offset, const Eigen::Matrix3d &G) const;
   /// All lanes of blocks with owned points.
   template <class Visitor>
   void for_each_block_point(Visitor &&visit) const

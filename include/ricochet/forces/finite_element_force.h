@@ -96,7 +96,9 @@ public:
   bool relaxes() const { return !branches_.empty(); }
   /// E_b,k, the strain that the dashpots of a branch have taken over; mean of the Gauss points [-].
   Eigen::Matrix3d back_strain(int element, int branch) const;
-  /// The same for all Gauss points of an element, for bodies that take over from others; as of the
+  /// What bonds take over from an element before the next step, see BondHistory::take_over().
+  Eigen::Matrix3d history(int element, int branch) const;
+  /// Sets E_b,k at all Gauss points of an element, for bodies that take over from others; as of the
   /// last evaluate().
   void set_back_strain(int element, int branch, const Eigen::Matrix3d &E_b);
 

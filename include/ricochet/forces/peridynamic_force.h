@@ -9,6 +9,7 @@
 #include "ricochet/discretization/lattice_state.h"
 #include "ricochet/forces/bond_history.h"
 
+#include <array>
 #include <memory>
 #include <mpi.h>
 #include <optional>
@@ -64,6 +65,11 @@ public:
   /// last (global): new points and bonds appear, at rest in the reference configuration, and slaved
   /// ones become free. What is broken stays broken.
   void follow_zone(int first, int last);
+  /// Components 11, 22, 33, 23, 13, 12 of a tensor per point, and of a branch each.
+  using TensorFields = std::vector<std::array<std::vector<double>, 6>>;
+  /// After follow_zone() of a body that relaxes: the histories that bonds which have appeared take
+  /// over, see BondHistory::take_over(), at owned points. Collective.
+  void continue_history(TensorFields &histories);
 
   /// Kick and drift of the free points: v += f kick/m, x += v drift; both in s, equal but in a
   /// first half step.
@@ -151,6 +157,7 @@ private:
   std::vector<Lattice::BlockRange> free_ranges_, held_ranges_;
   std::vector<char> damaged_;
   std::vector<BrokenBonds> broken_;
+  std::vector<std::uint8_t> new_bonds_;     // that follow_zone() has added
   std::vector<std::uint8_t> watched_bonds_; // workspace of points_stretched()
   std::vector<double> watched_theta_;
   std::size_t n_broken_ = 0;
