@@ -178,6 +178,7 @@ void Simulation::choose_time_step()
       time_step_info_.contact_share = contact / largest;
     }
     time_step_info_.seconds_per_step += estimate.seconds_per_force;
+    frequencies_.push_back(estimate);
   }
   dt_ = scene_.time.safety_factor * 2. / std::sqrt(largest);
 }

@@ -40,9 +40,14 @@ public:
   void lead();
   /// Forces on nodes: of the elements and of the slaved points, which must be complete. With
   /// `energy`, also the elements' energies. Collective.
+  void add_forces(bool energy);
+  /// The same, ready for advance(): with the mass correction.
   void evaluate(bool energy);
   /// Kick and drift of the nodes [s].
   void advance(double kick, double drift) { elements_.advance(kick, drift); }
+
+  /// Everything at rest in the reference configuration, without forces. Collective.
+  void rest();
 
   /// Of points and elements together, as their own functions say [J]. Collective.
   struct Energies
