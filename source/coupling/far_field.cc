@@ -261,12 +261,39 @@ void FarField::start_relaxation(const double dt)
 
 void FarField::evaluate(const bool energy, const bool is_step)
 {
+  add_forces(energy, is_step);
+  elements_.correct_mass();
+}
+
+void FarField::add_forces(const bool energy, const bool is_step)
+{
   elements_.evaluate(energy, is_step);
   if (options_.coupling.method == CouplingMethod::force_blend)
     blend_forces();
   else
     slaved_.hand_on(points_.state(), elements_.force());
-  elements_.correct_mass();
+}
+
+void FarField::rest()
+{
+  const Lattice &lattice = points_.lattice();
+  auto &a                = points_.state().arrays;
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        const Vector3 x = lattice.reference_position(lattice.coordinates(p));
+        for (int d = 0; d < 3; ++d)
+        {
+          a.position[d][p] = x[d];
+          a.velocity[d][p] = a.force[d][p] = 0.;
+        }
+      });
+  points_.state().zero(lattice, a.theta);
+  elements_.position() = elements_.mesh().reference();
+  std::fill(elements_.velocity().begin(), elements_.velocity().end(), 0.);
+  std::fill(elements_.force().begin(), elements_.force().end(), 0.);
+  lead();
+  points_.update_ghosts();
 }
 
 void FarField::blend_forces()

@@ -2,12 +2,14 @@
 #include "ricochet/drivers/check.h"
 
 #include "ricochet/base/units.h"
+#include "ricochet/drivers/interface_report.h"
 #include "ricochet/drivers/simulation.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/scene/scene_reader.h"
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -90,6 +92,16 @@ void print_plates(const Simulation &simulation)
                 i + 1, asked.length / mm, asked.width / mm, asked.thickness / mm,
                 box.n[0] * box.spacing / mm, width / mm, box.n[2] * box.spacing / mm,
                 box.mirror_y ? ", half of it computed" : "");
+    std::printf("  zone         %s\n", simulation.zones()[i].reason.c_str());
+    if (const auto &far = simulation.far_fields()[i])
+      std::printf(
+          "               peridynamic in %.1f %% of the volume; %lld elements of %.4g to %.4g "
+          "mm, %lld of them around the zone\n",
+          100. * far->zone().n_free_cells() / far->zone().n_cells_in_all(),
+          static_cast<long long>(far->elements().mesh().n_global_elements() -
+                                 far->zone().n_free_cells()),
+          Zone::points_per_edge * box.spacing / mm, far->elements().mesh().box().edge / mm,
+          static_cast<long long>(far->zone().n_slaved_cells()));
     std::printf("  lattice      %d x %d x %d points, spacing %.4g mm, horizon %.4g mm, %zu bonds "
                 "per point\n",
                 box.n[0], box.n[1], box.n[2], box.spacing / mm, lattice.stencil().horizon / mm,
@@ -109,16 +121,21 @@ void print_plates(const Simulation &simulation)
 }
 } // namespace
 
-void check(const MPI_Comm communicator, const ParameterFile &file)
+bool check(const MPI_Comm communicator, const ParameterFile &file, const CheckOptions &options)
 {
   const Scene scene = read_scene(file);
-  const Simulation simulation(communicator, scene);
+  Simulation simulation(communicator, scene);
+  std::vector<InterfaceReport> interfaces;
+  if (options.coupling)
+    interfaces = interface_reports(communicator, simulation);
+  const bool good     = std::all_of(interfaces.begin(), interfaces.end(),
+                                    [](const InterfaceReport &report) { return report.good(); });
   const double points = simulation.n_points(), bonds = simulation.n_bonds(),
                memory = memory_of_all_ranks(communicator);
   int n_ranks;
   MPI_Comm_size(communicator, &n_ranks);
   if (rank_in(communicator) != 0)
-    return;
+    return good;
 
   const auto info      = simulation.time_step_info();
   const double steps   = std::ceil(scene.time.end_time / simulation.dt());
@@ -147,5 +164,8 @@ void check(const MPI_Comm communicator, const ParameterFile &file)
   // Debris contact and output: runs of prm/single_plate take 1.5 to 2.5 times their bond forces.
   std::printf("time           %.0f s for the bonds, about %.0f s with debris contact and output\n",
               seconds, 2. * seconds);
+  if (options.coupling)
+    print(interfaces);
+  return good;
 }
 } // namespace ricochet

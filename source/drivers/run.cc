@@ -3,6 +3,7 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
+#include "ricochet/drivers/interface_report.h"
 #include "ricochet/drivers/interruption.h"
 #include "ricochet/drivers/outcome.h"
 #include "ricochet/drivers/simulation.h"
@@ -102,6 +103,7 @@ public:
     n_points_      = simulation_.n_points();
     n_bonds_       = simulation_.n_bonds();
     start_momenta_ = simulation_.momenta();
+    interfaces_    = interface_reports(communicator, simulation_);
   }
 
   nlohmann::ordered_json operator()()
@@ -281,6 +283,16 @@ private:
         z["interface_reached_us"] =
             watch.reached() >= 0. ? nlohmann::ordered_json(watch.reached() / us) : nullptr;
       }
+      for (const auto &report : interfaces_)
+        if (report.plate == i)
+        {
+          z["ghost_force"]              = report.patch.ghost_force;
+          z["strain_error"]             = report.patch.strain_error;
+          z["largest_frequency_rad_us"] = 1e-6 * report.frequency;
+          z["step_limit_us"]            = report.step_limit / us;
+          z["share_of_cost"]            = report.share_of_cost();
+          z["limits_kept"]              = report.good();
+        }
       all.push_back(z);
     }
     return all;
@@ -358,6 +370,7 @@ private:
   std::unique_ptr<History> history_;
   std::unique_ptr<FieldWriter> frames_;
   MomentumBalance start_momenta_;
+  std::vector<InterfaceReport> interfaces_; // at the start
   EnergyBalance energies_{};
   int n_ranks_;
   double n_points_, n_bonds_, broken_bonds_ = 0.;

@@ -184,6 +184,7 @@ void Simulation::choose_time_step()
       time_step_info_.contact_share = contact / largest;
     }
     elastic_seconds.push_back(estimate.seconds_per_force);
+    frequencies_.push_back(estimate);
   }
   dt_ = scene_.time.safety_factor * 2. / std::sqrt(largest);
   start_relaxation(elastic_seconds);

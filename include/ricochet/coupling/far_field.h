@@ -41,11 +41,16 @@ public:
   /// Forces on nodes: of the elements and of the slaved points, which must be complete. With
   /// `energy`, also the elements' energies; not a step: see PeridynamicForce::evaluate().
   /// Collective.
+  void add_forces(bool energy, bool is_step = true);
+  /// The same, ready for advance(): with the mass correction.
   void evaluate(bool energy, bool is_step = true);
   /// See FiniteElementForce and PeridynamicForce: of both, if their material relaxes.
   void start_relaxation(double dt);
   /// Kick and drift of the nodes [s].
   void advance(double kick, double drift) { elements_.advance(kick, drift); }
+
+  /// Everything at rest in the reference configuration, without forces. Collective.
+  void rest();
 
   /// Of points and elements together, as their own functions say [J]. Collective.
   struct Energies

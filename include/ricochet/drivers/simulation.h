@@ -7,6 +7,7 @@
 
 #include "ricochet/drivers/plate_zone.h"
 #include "ricochet/drivers/zone_watch.h"
+#include "ricochet/dynamics/power_iteration.h"
 #include "ricochet/forces/debris_contact.h"
 #include "ricochet/forces/fracture_energy.h"
 #include "ricochet/forces/projectile_contact.h"
@@ -110,6 +111,8 @@ public:
     double seconds_per_step; // measured, forces only [s]
   };
   TimeStepInfo time_step_info() const { return time_step_info_; }
+  /// Of each plate alone, without contact.
+  const std::vector<FrequencyEstimate> &frequencies() const { return frequencies_; }
 
 private:
   void build_plates();
@@ -132,6 +135,7 @@ private:
   std::unique_ptr<RigidBody> projectile_;
   ProjectileContact::Reaction reaction_;
   TimeStepInfo time_step_info_;
+  std::vector<FrequencyEstimate> frequencies_;
   double time_ = 0., dt_ = 0.;
   long step_                 = 0;
   double initial_energy_     = 0.;
