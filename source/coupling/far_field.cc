@@ -80,6 +80,15 @@ FiniteElementMaterial material_of(const PeridynamicForce &points)
   return {m.density, m.bulk_modulus, m.shear_modulus, m.relaxation};
 }
 
+/// Of the shear modulus [-].
+double relaxing_share(const PeridynamicForce &points)
+{
+  double share = 0.;
+  for (const auto &branch : points.material().relaxation)
+    share += branch.share;
+  return share;
+}
+
 /// The blend as a function of the distance from the zone in parts of its width.
 double blend(const BlendFunction function, const double t)
 {
@@ -113,7 +122,7 @@ FarField::FarField(const MPI_Comm communicator, PeridynamicForce &points, Zone &
             element_options(points, zone, options)),
   calibration_(communicator, points, elements_,
                {elements_.material().bulk_modulus,
-                elements_.material().relaxation.empty() ? elements_.material().shear_modulus : 0.},
+                elements_.material().shear_modulus * (1. - relaxing_share(points))},
                options.coupling.calibration)
 {
   if (!elements_.material().relaxation.empty())
@@ -201,13 +210,15 @@ std::vector<ElementStiffness> FarField::calibrated_stiffness()
   auto stiffness = calibration_.find();
   if (!shear_calibration_)
     return stiffness;
-  const auto shear = shear_calibration_->find();
+  // What is left in the end, and what relaxes: neither is negative, so nothing in between is.
+  const auto shear   = shear_calibration_->find();
+  const double share = relaxing_share(points_);
   for (std::size_t i = 0; i < stiffness.size(); ++i)
   {
     stiffness[i].shear = shear[i].tensors;
     for (std::size_t g = 0; g < shear[i].tensors.size(); ++g)
       for (int k = 0; k < HexTensors::n_entries; ++k)
-        stiffness[i].tensors[g][k] += shear[i].tensors[g][k];
+        stiffness[i].tensors[g][k] += share * shear[i].tensors[g][k];
   }
   return stiffness;
 }

@@ -14,8 +14,8 @@
 // for all cells with the same surroundings, and only where that is not good enough is anything
 // sought.
 //
-// All is linear in the moduli. A material whose shear modulus relaxes needs the volumetric and the
-// shear part of all C_g one by one; if neither is negative, no relaxed sum is.
+// All is linear in the moduli. A material whose shear modulus relaxes needs C_g of what is left in
+// the end and of the shear part one by one; if neither is negative, no sum on the way is.
 #pragma once
 
 #include "ricochet/coupling/cell_forces.h"

@@ -89,7 +89,7 @@ private:
   FarFieldOptions options_;
   FiniteElementForce elements_;
   SlavedPoints slaved_;
-  Calibration calibration_;                        // of all, or of the part that does not relax
+  Calibration calibration_;                        // of all, with relaxation of what is left
   std::unique_ptr<Calibration> shear_calibration_; // of the part that relaxes
   std::vector<double> bond_share_; // of the force of each owned node; force_blend only [-]
   std::vector<double> bond_force_; // workspace [N]
