@@ -312,6 +312,7 @@ def draw_path(axes, history):
 ENERGIES = [
     ("energy fracture", "fracture", VERMILION),
     ("work friction", "friction", ORANGE),
+    ("work debris friction", "debris friction", "#B8860B"),
     ("energy debris", "debris contact", "#F0E442"),
     ("energy contact", "contact", PURPLE),
     ("energy strain", "plate strain", GREEN),

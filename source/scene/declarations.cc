@@ -207,6 +207,9 @@ SectionDeclaration contact()
                     "15",
                     "Repulsion of separated points, in units of the short-range stiffness; 0 "
                     "switches it off"),
+       with_default("Debris friction factor", quantity(Dimension::number, Limit::not_negative), "0",
+                    "Friction between plates and in debris, in units of the projectile's "
+                    "coefficient; 0 switches it off"),
        with_default("Search method", choice(contact_search_names()), "linked cells",
                     "How separated points that touch are found; the result is the same")},
       {{{{"Kinetic friction", "Friction decay"}}, "Friction law", decaying_laws}}};

@@ -297,6 +297,7 @@ ContactParameters read_contact(const Parameters &parameters)
           parameters.quantity(in, "Shank resistance"),
           parameters.quantity(in, "Shank contact fraction"),
           parameters.quantity(in, "Debris stiffness factor"),
+          parameters.quantity(in, "Debris friction factor"),
           parameters.text(in, "Search method")};
 }
 

@@ -34,7 +34,7 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene, con
                   motion.orientation.coeffs().data() + 4);
       const auto e = simulation.energies();
       rows.insert(rows.end(), {e.projectile, e.kinetic, e.strain, e.contact, e.debris, e.friction,
-                               e.fracture, e.initial});
+                               e.fracture, e.initial, e.debris_friction});
       const auto m = simulation.momenta();
       add(m.linear);
       add(m.angular);
@@ -85,6 +85,13 @@ TEST(RankIndependence, TwoPlatesAreExactlyTheSame)
 TEST(RankIndependence, TwoHalfPlatesAreExactlyTheSame)
 {
   expect_the_same_on_any_number_of_ranks(symmetric(two_plates()));
+}
+
+TEST(RankIndependence, PlatesAndDebrisWithFrictionAreExactlyTheSame)
+{
+  Scene scene                   = symmetric(two_plates());
+  scene.contact.debris_friction = 1.;
+  expect_the_same_on_any_number_of_ranks(scene);
 }
 
 TEST(RankIndependence, BondBasedLawIsExactlyTheSame)

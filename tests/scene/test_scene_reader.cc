@@ -405,6 +405,7 @@ void expect_equal(const Scene &a, const Scene &b)
   EXPECT_EQ(a.contact.friction.law, b.contact.friction.law);
   EXPECT_EQ(a.contact.friction.decay, b.contact.friction.decay);
   EXPECT_EQ(a.contact.debris_factor, b.contact.debris_factor);
+  EXPECT_EQ(a.contact.debris_friction, b.contact.debris_friction);
   EXPECT_EQ(a.time.end_time, b.time.end_time);
   EXPECT_EQ(a.time.stop_early, b.time.stop_early);
   EXPECT_EQ(a.output.directory, b.output.directory);

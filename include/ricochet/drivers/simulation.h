@@ -24,10 +24,13 @@ struct EnergyBalance
   double friction;   // turned into heat between projectile and plates
   double fracture;   // released by broken bonds
   double initial;    // kinetic energy of the projectile at the start
+  /// Turned into heat between plates and in debris.
+  double debris_friction;
 
   double residual() const
   {
-    return initial - projectile - kinetic - strain - contact - debris - friction - fracture;
+    return initial - projectile - kinetic - strain - contact - debris - friction - fracture -
+           debris_friction;
   }
 };
 
