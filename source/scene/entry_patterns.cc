@@ -44,6 +44,26 @@ std::vector<double> QuantityPattern::values(const std::string &text) const
   return parse_quantities(text, dimension_, limit_, n_values_).values;
 }
 
+std::string QuantityListPattern::problem(const std::string &value) const
+{
+  return parse_quantities(value, dimension_, limit_, split(value, ',').size()).problem;
+}
+
+std::string QuantityListPattern::expected() const
+{
+  return QuantityPattern::expected() + ", or several separated by commas";
+}
+
+std::unique_ptr<dealii::Patterns::PatternBase> QuantityListPattern::clone() const
+{
+  return std::make_unique<QuantityListPattern>(*this);
+}
+
+std::vector<double> QuantityListPattern::values(const std::string &text) const
+{
+  return parse_quantities(text, dimension_, limit_, split(text, ',').size()).values;
+}
+
 ChoicePattern::ChoicePattern(std::vector<std::string> choices) : choices_(std::move(choices)) {}
 
 std::string ChoicePattern::problem(const std::string &value) const

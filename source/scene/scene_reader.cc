@@ -314,9 +314,21 @@ TimeParameters read_time(const Parameters &parameters)
 OutputParameters read_output(const Parameters &parameters)
 {
   const std::string in = "Output";
-  return {parameters.text(in, "Directory"), parameters.quantity(in, "Frame interval"),
-          parameters.quantity(in, "History interval"), parameters.flag(in, "ParaView files"),
-          parameters.flag(in, "Pictures")};
+  std::vector<double> times;
+  if (parameters.is_given(in, "Picture times"))
+    times = parameters.quantities(in, "Picture times");
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (times[i] <= times[i - 1])
+      parameters.fail(in, "Picture times",
+                      "Time " + std::to_string(i + 1) + " does not come after time " +
+                          std::to_string(i) + ".",
+                      "Write the times in ascending order, each once.");
+  return {parameters.text(in, "Directory"),
+          parameters.quantity(in, "Frame interval"),
+          parameters.quantity(in, "History interval"),
+          parameters.flag(in, "ParaView files"),
+          parameters.flag(in, "Pictures"),
+          times};
 }
 } // namespace
 

@@ -42,13 +42,27 @@ public:
   std::unique_ptr<PatternBase> clone() const override;
 
   /// The values in SI; the text must match.
-  std::vector<double> values(const std::string &text) const;
+  virtual std::vector<double> values(const std::string &text) const;
 
-private:
+protected:
   Dimension dimension_;
   Limit limit_;
+
+private:
   std::vector<std::string> components_;
   unsigned int n_values_;
+};
+
+/// Any number of quantities of the same dimension, separated by commas.
+class QuantityListPattern : public QuantityPattern
+{
+public:
+  QuantityListPattern(Dimension dimension, Limit limit) : QuantityPattern(dimension, limit) {}
+
+  std::string problem(const std::string &value) const override;
+  std::string expected() const override;
+  std::unique_ptr<PatternBase> clone() const override;
+  std::vector<double> values(const std::string &text) const override;
 };
 
 /// One of several words.

@@ -76,6 +76,8 @@ struct OutputParameters
   double history_interval; // between history rows [s]
   bool vtu;                // write files for ParaView
   bool pictures;           // draw PNGs at the end
+  /// Of the section's picture, ascending [s]; none: evenly spaced.
+  std::vector<double> picture_times = {};
 };
 
 struct Scene
