@@ -116,6 +116,8 @@ Verdict OutcomeWatch::verdict(const std::string &other_reason) const
     }
     return {Outcome::undecided, face, 0, other_reason};
   }
+  if (!has_touched_)
+    return {Outcome::undecided, "none", 0, "the projectile has missed the target"};
   const int plate = plate_left_behind(face);
   std::string way = face == "edge" ? "the edge" : "the " + face + " face";
   if (simulation_.plates().size() > 1)
