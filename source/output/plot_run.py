@@ -330,7 +330,7 @@ def draw_damage(directory, _):
     spacing, _, _, mirrored = maps[0][1]
     n_x, n_y = maps[0][2][0].shape
     ratio = n_y * (2 if mirrored else 1) / n_x
-    panel, left, right, top, bottom, gap_x, gap_y = 3.4, 0.62, 0.95, 0.72, 0.5, 0.14, 0.30
+    panel, left, right, top, bottom, gap_x, gap_y = 3.4, 0.62, 0.95, 0.72, 0.5, 0.26, 0.30
     width = left + 3 * panel + 2 * gap_x + right
     height = top + len(maps) * panel * ratio + (len(maps) - 1) * gap_y + bottom
     figure = plt.figure(figsize=(width, height))
