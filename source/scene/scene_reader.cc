@@ -292,6 +292,11 @@ ContactParameters read_contact(const Parameters &parameters)
       parameters.text(in, "Friction law"), parameters.quantity(in, "Static friction"),
       parameters.quantity(in, "Kinetic friction"), parameters.quantity(in, "Friction decay"),
       parameters.quantity(in, "Regularisation speed")};
+  if (parameters.quantity(in, "Debris friction factor") > 0. &&
+      parameters.quantity(in, "Debris stiffness factor") == 0.)
+    parameters.fail(in, "Debris friction factor",
+                    "Separated points that do not repel have nothing to rub against.",
+                    "Set 'Debris stiffness factor' above 0 (15 is usual), or this one to 0.");
   return {parameters.quantity(in, "Stiffness factor"),
           friction,
           parameters.quantity(in, "Shank resistance"),

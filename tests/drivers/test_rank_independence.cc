@@ -77,21 +77,16 @@ TEST(RankIndependence, HalfModelIsExactlyTheSame)
   expect_the_same_on_any_number_of_ranks(symmetric(small_scene()));
 }
 
-TEST(RankIndependence, TwoPlatesAreExactlyTheSame)
+TEST(RankIndependence, TwoPlatesWithFrictionAreExactlyTheSame)
 {
-  expect_the_same_on_any_number_of_ranks(two_plates());
+  Scene scene                   = two_plates();
+  scene.contact.debris_friction = 1.;
+  expect_the_same_on_any_number_of_ranks(scene);
 }
 
 TEST(RankIndependence, TwoHalfPlatesAreExactlyTheSame)
 {
   expect_the_same_on_any_number_of_ranks(symmetric(two_plates()));
-}
-
-TEST(RankIndependence, PlatesAndDebrisWithFrictionAreExactlyTheSame)
-{
-  Scene scene                   = symmetric(two_plates());
-  scene.contact.debris_friction = 1.;
-  expect_the_same_on_any_number_of_ranks(scene);
 }
 
 TEST(RankIndependence, BondBasedLawIsExactlyTheSame)

@@ -88,6 +88,13 @@ TEST(SceneReader, DefaultsAreFilledIn)
   EXPECT_TRUE(scene.output.pictures);
 }
 
+TEST(SceneReader, DebrisThatDoesNotRepelCannotRub)
+{
+  EXPECT_EQ(read_with({"Contact/Debris stiffness factor=0"}).contact.debris_factor, 0.);
+  expect_scene_error({"Contact/Debris stiffness factor=0", "Contact/Debris friction factor=0.4"},
+                     {"Contact/Debris friction factor", "nothing to rub against", "above 0"});
+}
+
 TEST(SceneReader, PictureTimesMustAscend)
 {
   expect_scene_error({"Output/Picture times=45 us, 45 us"},
@@ -105,7 +112,7 @@ TEST(SceneReader, OptionalEntriesAreRead)
                                  "Plate 1/Influence function=inverse",
                                  "Plate 1/Horizon ratio=4.01",
                                  "Contact/Stiffness factor=2",
-                                 "Contact/Debris stiffness factor=0",
+                                 "Contact/Debris stiffness factor=0.2",
                                  "Contact/Debris friction factor=0.4",
                                  "Contact/Shank contact fraction=0",
                                  "Contact/Shank resistance=0 Pa",
@@ -126,7 +133,7 @@ TEST(SceneReader, OptionalEntriesAreRead)
   EXPECT_EQ(scene.plates[0].influence_function, InfluenceFunction::inverse);
   EXPECT_DOUBLE_EQ(scene.plates[0].horizon_ratio, 4.01);
   EXPECT_EQ(scene.contact.stiffness_factor, 2.);
-  EXPECT_EQ(scene.contact.debris_factor, 0.);
+  EXPECT_EQ(scene.contact.debris_factor, 0.2);
   EXPECT_EQ(scene.contact.debris_friction, 0.4);
   ASSERT_EQ(scene.output.picture_times.size(), 2u);
   EXPECT_EQ(scene.output.picture_times[0], 0.);
