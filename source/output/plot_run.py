@@ -412,7 +412,8 @@ ENERGIES = [
 
 def draw_energies(axes, history):
     """Where the projectile's energy has gone, as layers."""
-    present = [(history[name], label, color) for name, label, color in ENERGIES if name in history]
+    present = [(history[name], label, color) for name, label, color in ENERGIES
+               if name in history and (name != "work debris friction" or np.any(history[name]))]
     if not present:
         return
     values = np.array([value for value, _, _ in present])
