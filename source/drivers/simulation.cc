@@ -158,8 +158,12 @@ void Simulation::build_projectile()
       throw InputError(message.str());
     }
   }
+  DebrisContact::Friction friction;
+  if (contact.debris_friction > 0.)
+    friction = {friction_law_.get(), contact.debris_friction,
+                contact.friction.regularisation_speed};
   debris_ = std::make_unique<DebrisContact>(communicator_, plates_, contact.debris_factor,
-                                            scene_.symmetric, contact.search);
+                                            scene_.symmetric, contact.search, friction);
 }
 
 void Simulation::choose_time_step()
@@ -265,6 +269,7 @@ void Simulation::advance()
     }
     contacts_[i].record_work(*plates_[i], dt_);
   }
+  debris_->record_work(dt_);
   const Vector3 velocity = projectile_->motion().velocity, spin = projectile_->motion().spin;
   projectile_->advance(reaction_.force(), reaction_.moment, dt_, dt_);
   const auto &after = projectile_->motion();
@@ -299,9 +304,10 @@ EnergyBalance Simulation::energies() const
   const Vector3 after = motion.velocity + dt_ / projectile_->mass() * reaction_.force();
   e.projectile        = 0.5 * projectile_->mass() * motion.velocity.dot(after) +
                  0.5 * motion.spin.dot(projectile_->angular_momentum() + dt_ * reaction_.moment);
-  e.contact  = reaction_.energy;
-  e.debris   = debris_->energy();
-  e.friction = -work_on_projectile_;
+  e.contact         = reaction_.energy;
+  e.debris          = debris_->energy();
+  e.friction        = -work_on_projectile_;
+  e.debris_friction = 0. - debris_->friction_work(); // not -0
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     if (far_fields_[i])
