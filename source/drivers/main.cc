@@ -5,6 +5,7 @@
 #include "ricochet/drivers/bench_elements.h"
 #include "ricochet/drivers/bench_search.h"
 #include "ricochet/drivers/check.h"
+#include "ricochet/drivers/mesh.h"
 #include "ricochet/drivers/run.h"
 #include "ricochet/drivers/study.h"
 #include "ricochet/output/collective.h"
@@ -33,6 +34,7 @@ struct Arguments
   KernelBenchOptions bench;
   ElementBenchOptions elements;
   SearchBenchOptions search;
+  MeshOptions mesh;
 };
 
 ParameterFile parameter_file(const Arguments &arguments)
@@ -64,6 +66,11 @@ void declare(CLI::App &app, Arguments &arguments)
 
   add_scene(
       app.add_subcommand("check", "validate a parameter file and print what the run will cost"));
+
+  auto *mesh = app.add_subcommand(
+      "mesh", "generate or read the projectile's mesh and print what it is worth");
+  add_scene(mesh);
+  mesh->add_option("--write", arguments.mesh.write, "gmsh file to write");
 
   auto *study = app.add_subcommand("study", "run scenes over one or more axes and print one table");
   study->add_option("file", arguments.file, "study file (.prm with a section Study)")->required();
@@ -133,6 +140,8 @@ int execute(const CLI::App &app, const Arguments &arguments)
   }
   if (app.got_subcommand("check"))
     check(communicator, parameter_file(arguments));
+  if (app.got_subcommand("mesh"))
+    mesh(communicator, parameter_file(arguments), arguments.mesh);
   if (app.got_subcommand("study"))
     return study(communicator, arguments.file, arguments.study) == 0 ? 0 : 4;
   if (app.got_subcommand("bench"))

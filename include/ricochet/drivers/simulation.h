@@ -5,11 +5,9 @@
 //   dt/m;  x += v dt
 #pragma once
 
+#include "ricochet/drivers/projectile.h"
 #include "ricochet/forces/debris_contact.h"
 #include "ricochet/forces/fracture_energy.h"
-#include "ricochet/forces/projectile_contact.h"
-#include "ricochet/output/frame.h"
-#include "ricochet/scene/scene.h"
 
 namespace ricochet
 {
@@ -17,6 +15,7 @@ namespace ricochet
 struct EnergyBalance
 {
   double projectile; // kinetic
+  double elastic;    // in a deformable projectile
   double kinetic;    // of the plates
   double strain;     // in intact bonds
   double contact;    // in the penalty springs between projectile and plates
@@ -27,7 +26,7 @@ struct EnergyBalance
 
   double residual() const
   {
-    return initial - projectile - kinetic - strain - contact - debris - friction - fracture;
+    return initial - projectile - elastic - kinetic - strain - contact - debris - friction - fracture;
   }
 };
 
@@ -57,7 +56,7 @@ public:
   long step() const { return step_; }
 
   const Scene &scene() const { return scene_; }
-  const RigidBody &projectile() const { return *projectile_; }
+  const Projectile &projectile() const { return *projectile_; }
   const ProjectileContact::Reaction &reaction() const
   {
     return reaction_;
@@ -85,7 +84,7 @@ public:
   std::string describe_fastest_point() const;
 
   PointFrame points() const; // owned by this rank
-  SurfaceFrame surface() const;
+  SurfaceFrame surface() const { return projectile_->surface(); }
 
   /// What limits the step, for the user.
   struct TimeStepInfo
@@ -93,6 +92,8 @@ public:
     double frequency;        // largest of the bonds [rad/s]
     double contact_share;    // of the squared frequency that contact adds [-]
     double seconds_per_step; // measured, forces only [s]
+    double plates_dt;        // the step that the plates alone would allow [s]
+    double projectile_dt;    // the same of a deformable projectile; infinite if rigid [s]
   };
   TimeStepInfo time_step_info() const { return time_step_info_; }
 
@@ -105,17 +106,15 @@ private:
   Scene scene_;
   double multiplicity_; // 2 with a symmetry plane
   std::vector<std::unique_ptr<PeridynamicForce>> plates_;
-  std::vector<ProjectileContact> contacts_; // per plate
   std::vector<FractureEnergy> fractures_;   // per plate
   std::unique_ptr<DebrisContact> debris_;
   std::unique_ptr<FrictionLaw> friction_law_;
-  std::unique_ptr<RigidBody> projectile_;
+  std::unique_ptr<Projectile> projectile_;
   ProjectileContact::Reaction reaction_;
   TimeStepInfo time_step_info_;
   double time_ = 0., dt_ = 0.;
   long step_                 = 0;
   double initial_energy_     = 0.;
-  double work_on_projectile_ = 0.; // of friction [J]
 };
 
 /// s_c from the material: given, or from the energy release rate on this stencil [-].

@@ -6,6 +6,7 @@
 
 #include "ricochet/contact/friction_law.h"
 #include "ricochet/geometry/body_of_revolution.h"
+#include "ricochet/geometry/hex_solid.h"
 #include "ricochet/materials/influence_function.h"
 
 #include <string>
@@ -34,10 +35,21 @@ struct PlateParameters
   std::string material; // name of a MaterialParameters
 };
 
+enum class ProjectileModel
+{
+  rigid,
+  finite_elements
+};
+
 struct ProjectileParameters
 {
   BodyOfRevolution::Shape shape;
   double mass; // [kg], of the whole projectile
+  // Of a deformable one:
+  ProjectileModel model = ProjectileModel::rigid;
+  double youngs_modulus = 0., poissons_ratio = 0.; // [Pa], [-]
+  int refinement = 2; // of the generated mesh, from 1
+  HexSolid mesh  = {}; // read from a file, axis along x; no cells: generated from the shape
 };
 
 struct ImpactParameters
