@@ -41,14 +41,12 @@ Vector3 lowest_point(const BodyOfRevolution &body, const Eigen::Quaterniond &ori
   return lowest;
 }
 
-Vector3 lowest_point(const HexSolid &mesh, const Vector3 &centroid,
-                     const Eigen::Quaterniond &orientation)
+/// Height of the lowest node above the origin of the body axes [m].
+double lowest_node(const HexSolid &mesh, const Eigen::Quaterniond &orientation)
 {
-  Vector3 lowest = Vector3::Constant(std::numeric_limits<double>::max());
+  double lowest = std::numeric_limits<double>::max();
   for (const auto &X : mesh.nodes)
-    if (const Vector3 x = orientation * (X - centroid); x.z() < lowest.z())
-      lowest = x;
-  lowest.y() = 0.; // the entry point is below the axis
+    lowest = std::min(lowest, (orientation * X).z());
   return lowest;
 }
 
@@ -103,19 +101,21 @@ std::unique_ptr<Projectile> make_projectile(const MPI_Comm communicator, const S
                                             const std::vector<PlateContact> &plates)
 {
   const auto &impact = scene.impact;
-  const Vector3 entry(impact.entry_x, impact.entry_y, impact.clearance);
-  auto start = start_of(impact);
+  auto start         = start_of(impact);
+  // Where the origin of the body axes, the centroid of the shape, is.
+  start.position     = Vector3(impact.entry_x, impact.entry_y, impact.clearance) -
+                   lowest_point(BodyOfRevolution(scene.projectile.shape), start.orientation);
   if (scene.projectile.model == ProjectileModel::rigid)
-  {
-    start.position =
-        entry - lowest_point(BodyOfRevolution(scene.projectile.shape), start.orientation);
     return std::make_unique<RigidProjectile>(communicator, scene, start, law, plates);
-  }
+
+  // In the same place; higher only if a corner of the facets, which stands out from the shape, would
+  // lie in the plate.
   const HexSolid mesh = projectile_mesh(scene);
+  start.position.z() = std::max(start.position.z(), -lowest_node(mesh, start.orientation));
   Vector3 centre      = centroid(mesh);
   if (scene.symmetric)
     centre.y() = 0.;
-  start.position = entry - lowest_point(mesh, centre, start.orientation);
+  start.position += start.orientation * centre;
   return std::make_unique<ElasticProjectile>(communicator, scene, mesh, start, law, plates);
 }
 } // namespace ricochet

@@ -3,6 +3,8 @@
 
 #include "ricochet/base/exceptions.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -81,46 +83,157 @@ Vector3 around_box(const Vector3 &u, const double s)
           .normalized();
   return (1. - s) * in_box(u) + s * on_sphere;
 }
+/// The nose as the image of the unit half ball x >= 0, tip towards x, in body axes.
+class Nose
+{
+public:
+  Nose(const BodyOfRevolution &body, const double length, const int n, const double widen) :
+    body_(body), radius_(body.shape().diameter / 2.), length_(length),
+    shoulder_(body.tip_position() - length),
+    arc_((radius_ * radius_ + length * length) / (2. * radius_)),
+    is_round_(body.shape().nose == NoseShape::sphere ||
+              body.shape().nose == NoseShape::hemisphere || length < 1.5 * radius_),
+    scales_{{0., widen}, {M_PI / 2., widen}}
+  {
+    fit(n, widen);
+  }
+
+  Vector3 place(const Vector3 &unit) const
+  {
+    const double s = unit.norm(), across = std::hypot(unit.y(), unit.z());
+    if (s == 0.)
+      return {shoulder_, 0., 0.};
+    const double theta = polar_angle(unit);
+    const double x = is_round_ ? length_ * unit.x() / s : length_ * (1. - 2. * theta / M_PI);
+    const double r = across == 0. ? 0. : s * scale(theta) * profile(x) / across;
+    return {shoulder_ + s * x, r * unit.y(), r * unit.z()};
+  }
+  double shoulder() const { return shoulder_; }
+
+private:
+  static double polar_angle(const Vector3 &unit)
+  {
+    return std::atan2(std::hypot(unit.y(), unit.z()), unit.x());
+  }
+
+  double profile(const double x) const // radius at the distance x from the shoulder
+  {
+    if (body_.shape().nose == NoseShape::cone)
+      return radius_ * std::max(0., 1. - x / length_);
+    return std::max(0., std::sqrt(std::max(0., arc_ * arc_ - x * x)) + radius_ - arc_);
+  }
+
+  double scale(const double theta) const // of radii
+  {
+    const auto above = scales_.lower_bound(theta);
+    if (above == scales_.begin())
+      return above->second;
+    if (above == scales_.end())
+      return scales_.rbegin()->second;
+    const auto below   = std::prev(above);
+    const double share = (theta - below->first) / (above->first - below->first);
+    return below->second + share * (above->second - below->second);
+  }
+
+  /// Nodes on the surface would make a slimmer body: scales radii until the facets lie as far
+  /// outside the shape as inside, on an average around each node.
+  void fit(const int n, const double widen)
+  {
+    std::vector<std::array<Vector3, 4>> quads; // on the unit sphere: the cap and a quarter of the sides
+    const auto add = [&](auto &&face)
+    {
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+        {
+          std::array<Vector3, 4> quad;
+          const int corner[4][2] = {{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}};
+          for (int a = 0; a < 4; ++a)
+            quad[a] = around_box(face(corner[a][0], corner[a][1]), 1.);
+          quads.push_back(quad);
+        }
+    };
+    const auto coordinate = [&](const int i) { return 2. * i / n - 1.; };
+    add([&](const int i, const int j) { return Vector3(1., coordinate(i), coordinate(j)); });
+    add([&](const int i, const int j) { return Vector3(double(i) / n, 1., coordinate(j)); });
+
+    const auto key = [](const double theta) { return std::lround(1e9 * theta); };
+    std::map<long, std::pair<double, double>> error; // sums of weights times distances, of weights
+    for (const auto &quad : quads)
+      for (const auto &unit : quad)
+        error[key(polar_angle(unit))] = {0., 0.};
+    for (int iteration = 0; iteration < 20; ++iteration)
+    {
+      for (auto &entry : error)
+        entry.second = {0., 0.};
+      for (const auto &quad : quads)
+      {
+        Vector3 corner[4], mean = Vector3::Zero();
+        for (int a = 0; a < 4; ++a)
+        {
+          corner[a] = place(quad[a]);
+          mean += 0.25 * corner[a];
+        }
+        // The four triangles of forces/surface_contact.h, three points in each.
+        for (int a = 0; a < 4; ++a)
+          for (int point = 0; point < 3; ++point)
+          {
+            const int b = (a + 1) % 4;
+            double share[3] = {1. / 6., 1. / 6., 1. / 6.};
+            share[point]    = 2. / 3.;
+            const double area =
+                (corner[b] - corner[a]).cross(mean - corner[a]).norm();
+            const double distance =
+                body_.hit(share[0] * corner[a] + share[1] * corner[b] + share[2] * mean).distance;
+            for (int c = 0; c < 4; ++c)
+            {
+              const double weight = area * (0.25 * share[2] + (c == a ? share[0] : 0.) +
+                                            (c == b ? share[1] : 0.));
+              auto &sum = error[key(polar_angle(quad[c]))];
+              sum.first += weight * distance;
+              sum.second += weight;
+            }
+          }
+      }
+      std::map<double, double> better{{M_PI / 2., widen}};
+      for (const auto &[number, sum] : error)
+      {
+        const double theta = 1e-9 * double(number);
+        if (number == 0 || theta > M_PI / 2. - 1e-6) // the tip stays, the shoulder is the shank's
+          continue;
+        const double x = is_round_ ? length_ * std::cos(theta) : length_ * (1. - 2. * theta / M_PI);
+        better[theta] = scale(theta) - sum.first / sum.second / profile(x);
+      }
+      better[0.] = better.begin()->second;
+      scales_    = better;
+    }
+  }
+
+  const BodyOfRevolution &body_;
+  double radius_, length_, shoulder_, arc_;
+  bool is_round_;
+  std::map<double, double> scales_; // over the polar angle
+};
 } // namespace
 
 HexSolid revolved_hexes(const BodyOfRevolution &body, const int refinement)
 {
-  if (refinement < 1 || refinement > 5)
+  if (refinement < 1 || refinement > 4)
     throw InputError("The refinement of the projectile's mesh is " + std::to_string(refinement) +
-                     "; it must lie between 1 and 5.");
+                     "; it must lie between 1 and 4.");
   const auto &shape    = body.shape();
   const double radius  = shape.diameter / 2.;
   const int n          = 1 << refinement; // across the inner square
   const int m          = n / 2;           // from the square to the circumference
   const bool is_sphere = shape.nose == NoseShape::sphere;
-  const double nose = is_sphere ? radius : shape.nose_length, shank = shape.length - (is_sphere ? 2. : 1.) * nose;
-  const double shoulder = body.tip_position() - nose;
-  const bool is_round =
-      is_sphere || shape.nose == NoseShape::hemisphere || nose < 1.5 * radius;
+  const double length  = is_sphere ? radius : shape.nose_length;
+  const double shank   = shape.length - (is_sphere ? 2. : 1.) * length;
 
   // The polygon of 4 n edges gets the area of its circle.
   const double widen = std::sqrt(2. * M_PI / (4. * n) / std::sin(2. * M_PI / (4. * n)));
-  const double arc   = (radius * radius + nose * nose) / (2. * radius);
-  const auto profile = [&](const double x) // radius at the distance x from the shoulder
-  {
-    if (shape.nose == NoseShape::cone)
-      return radius * std::max(0., 1. - x / nose);
-    return std::max(0., std::sqrt(std::max(0., arc * arc - x * x)) + radius - arc);
-  };
-  const auto nose_point = [&](const Vector3 &unit) // of the half ball of radius 1, x >= 0
-  {
-    const double s = unit.norm(), across = std::hypot(unit.y(), unit.z());
-    if (s == 0.)
-      return Vector3(shoulder, 0., 0.);
-    const double theta = std::atan2(across, unit.x());
-    const double x     = is_round ? nose * unit.x() / s : nose * (1. - 2. * theta / M_PI);
-    const double r     = across == 0. ? 0. : s * profile(x) / across;
-    return Vector3(shoulder + s * x, r * unit.y(), r * unit.z());
-  };
 
   Builder builder(1e-7 * shape.diameter);
   const auto coordinate = [&](const int i) { return 2. * i / n - 1.; };
-  const auto all_around = [&](auto &&add) // the four sides of the square: (y, z) from (main, along)
+  const auto all_around = [&](auto &&add) // the four sides of the square: (y, z) along each
   {
     for (const double sign : {-1., 1.})
     {
@@ -129,13 +242,15 @@ HexSolid revolved_hexes(const BodyOfRevolution &body, const int refinement)
     }
   };
 
-  if (nose > 0.)
+  if (length > 0.)
+  {
+    const Nose nose(body, length, n, widen);
     for (const double end : is_sphere ? std::vector<double>{1., -1.} : std::vector<double>{1.})
     {
       const auto place = [&](const Vector3 &unit)
       {
-        Vector3 x = nose_point(unit);
-        x.x()     = shoulder + end * (x.x() - shoulder);
+        Vector3 x = nose.place(unit);
+        x.x()     = nose.shoulder() + end * (x.x() - nose.shoulder());
         return x;
       };
       builder.block({n, n, n},
@@ -157,15 +272,15 @@ HexSolid revolved_hexes(const BodyOfRevolution &body, const int refinement)
                           });
           });
     }
+  }
   if (shank > 0.)
   {
-    // As long as the cells of the square are wide, on an average.
-    const int layers =
-        std::max(1, static_cast<int>(std::lround(shank * n / (2. * radius * 0.75)) ));
+    // A third longer than the cells of the square are wide.
+    const int layers = std::max(1, static_cast<int>(std::lround(0.75 * shank * n / (2. * inner * radius))));
     const auto place = [&](const int i, const Vector3 &unit)
     {
-      return Vector3(body.base_position() + shank * i / layers, radius * unit.y(),
-                     radius * unit.z());
+      return Vector3(body.base_position() + shank * i / layers, widen * radius * unit.y(),
+                     widen * radius * unit.z());
     };
     builder.block({layers, n, n},
                   [&](const int i, const int j, const int k)
@@ -185,7 +300,8 @@ HexSolid revolved_hexes(const BodyOfRevolution &body, const int refinement)
   HexSolid solid = builder.take();
   for (auto &x : solid.nodes)
     for (int d = 1; d < 3; ++d)
-      x[d] = std::abs(x[d]) < 1e-7 * shape.diameter ? 0. : widen * x[d];
+      if (std::abs(x[d]) < 1e-7 * shape.diameter)
+        x[d] = 0.;
   return solid;
 }
 } // namespace ricochet

@@ -111,7 +111,7 @@ SectionDeclaration projectile()
        optional("Poisson's ratio", quantity(Dimension::number, Limit::not_negative), "0.3",
                 "Of a deformable projectile, below 0.5"),
        with_default("Refinement", quantity(Dimension::number, Limit::positive), "2",
-                    "Of the generated mesh: 1 to 5, each halves the elements' edges"),
+                    "Of the generated mesh: 1 to 4, each halves the elements' edges"),
        optional("Mesh", text("a gmsh file in ASCII, relative to this file"), "projectile.msh",
                 "Instead of the generated mesh, hexahedra of the same shape, tip towards x"),
        with_default("Mesh unit", choice({"m", "cm", "mm", "in"}), "mm",

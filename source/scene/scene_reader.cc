@@ -153,9 +153,9 @@ void read_deformable(const Parameters &parameters, ProjectileParameters &project
     parameters.fail(in, "Poisson's ratio", "An elastic solid has a Poisson's ratio below 0.5.",
                     "Choose 0.3 for steel.");
   const double refinement = parameters.quantity(in, "Refinement");
-  if (refinement != std::floor(refinement) || refinement > 5.)
+  if (refinement != std::floor(refinement) || refinement > 4.)
     parameters.fail(in, "Refinement", "The mesh is refined a whole number of times.",
-                    "Choose 1, 2, 3, 4 or 5.");
+                    "Choose 1, 2, 3 or 4.");
   projectile.refinement = static_cast<int>(refinement);
   if (parameters.is_given(in, "Mesh"))
   {
