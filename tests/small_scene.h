@@ -40,6 +40,16 @@ inline Scene two_plates()
   return scene;
 }
 
+/// The same projectile of finite elements, coarse.
+inline Scene deformable(Scene scene)
+{
+  scene.projectile.model          = ProjectileModel::finite_elements;
+  scene.projectile.youngs_modulus = 202e9;
+  scene.projectile.poissons_ratio = 0.3;
+  scene.projectile.refinement     = 1;
+  return scene;
+}
+
 inline Scene symmetric(Scene scene)
 {
   scene.symmetric = true;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -77,7 +78,13 @@ void SurfaceContact::find_loads(const ElasticBody &body, const FacetedSurface &s
   auto &a                = plate.state().arrays;
   const double radius    = lattice.box().spacing / 2.;
   const auto [low, high] = surface.bounding_box();
-  const Vector3 first = low - Vector3::Constant(radius), last = high + Vector3::Constant(radius);
+  Vector3 first = low - Vector3::Constant(radius), last = high + Vector3::Constant(radius);
+  // A point that has crossed the symmetry plane touches the other half as its image touches this one.
+  const bool mirrored = multiplicity_ == 2.;
+  if (mirrored)
+    first.y() = -last.y();
+  const std::vector<std::ptrdiff_t> were_deep = std::move(deep_); // ascending
+  deep_.clear();
   loads_.clear();
   touches_.clear();
   deepest_ = 0.;
@@ -87,14 +94,26 @@ void SurfaceContact::find_loads(const ElasticBody &body, const FacetedSurface &s
         a.position[2][p] < first.z() || a.position[2][p] > last.z() ||
         a.position[1][p] < first.y() || a.position[1][p] > last.y() || !lattice.owned(p))
       continue;
+    Vector3 x = at(a.position, p), velocity = at(a.velocity, p);
+    const bool crossed = mirrored && x.y() < 0.;
+    if (crossed)
+    {
+      x.y()        = -x.y();
+      velocity.y() = -velocity.y();
+    }
     FacetedSurface::Hit hit;
-    if (!surface.hit(at(a.position, p), hit))
-      continue;
+    if (!surface.hit(x, hit))
+    {
+      if (!std::binary_search(were_deep.begin(), were_deep.end(), p))
+        continue;
+      hit = surface.nearest(x);
+    }
     const double depth = radius - hit.distance;
     if (depth <= 0.)
       continue;
+    if (depth > radius) // its centre is inside
+      deep_.push_back(p);
 
-    const Vector3 velocity = at(a.velocity, p);
     const Tangents tangents(surface, hit);
     const auto &quad = surface.faces()[hit.face];
     Eigen::Vector2d sliding;
@@ -113,10 +132,13 @@ void SurfaceContact::find_loads(const ElasticBody &body, const FacetedSurface &s
 
     const auto in_space = [&](const Eigen::Vector2d &f) -> Vector3
     { return f[0] * tangents.direction[0] + f[1] * tangents.direction[1]; };
-    const Vector3 friction = in_space(drag), total = pressure * hit.normal + friction;
+    Vector3 friction = in_space(drag), total = pressure * hit.normal + friction;
+    if (crossed)
+      for (Vector3 *v : {&friction, &total})
+        v->y() = -v->y();
     for (int d = 0; d < 3; ++d)
       a.force[d][p] += total[d];
-    touches_.push_back({p, friction, velocity});
+    touches_.push_back({p, friction, at(a.velocity, p)});
 
     Load load;
     load.face   = hit.face;

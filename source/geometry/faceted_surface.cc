@@ -171,4 +171,13 @@ bool FacetedSurface::hit(const Vector3 &point, Hit &hit) const
   }
   return found;
 }
+
+FacetedSurface::Hit FacetedSurface::nearest(const Vector3 &point) const
+{
+  double squared = std::numeric_limits<double>::max(), cosine = -1.;
+  Hit hit{};
+  for (int face = 0; face < static_cast<int>(faces_.size()); ++face)
+    improve(face, point, squared, cosine, hit);
+  return hit;
+}
 } // namespace ricochet

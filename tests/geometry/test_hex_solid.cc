@@ -167,6 +167,7 @@ TEST(FacetedSurface, FindsWhatASearchOfAllFacesFinds)
       continue;
     ++found;
     EXPECT_NEAR(one.distance, all.distance, 1e-15);
+    EXPECT_NEAR(surface.nearest(x).distance, all.distance, 1e-15);
   }
   EXPECT_GT(found, 1000);
 }

@@ -30,7 +30,7 @@ public:
                  bool mirrored, int n_planes, const std::vector<char> &is_shank);
 
   /// Adds contact forces to the points and, whole, to the body; `surface` is up to date and reaches
-  /// at least a spacing far. Returns what the points do to the body; moments are about `centre`.
+  /// a spacing far or more: a point that has come deeper is followed by a search of all faces. Returns what the points do to the body; moments are about `centre`.
   /// Collective.
   Reaction evaluate(ElasticBody &body, const FacetedSurface &surface, const Vector3 &centre,
                     PeridynamicForce &plate);
@@ -70,6 +70,7 @@ private:
   std::vector<char> is_shank_;
   std::vector<Load> loads_; // of this rank's points
   std::vector<Touch> touches_;
+  std::vector<std::ptrdiff_t> deep_; // points that may leave the reach of the surface inwards
   std::vector<double> friction_;
   PlaneSums<1> work_;
   double deepest_ = 0.;

@@ -27,6 +27,8 @@ public:
 
   /// The nearest point of the surface; false if it is farther away than the reach, inside or out.
   bool hit(const Vector3 &point, Hit &hit) const;
+  /// The same at any distance, by a search of all faces.
+  Hit nearest(const Vector3 &point) const;
 
   const std::vector<SurfaceQuad> &faces() const { return faces_; }
   Vector3 node(const int number) const
