@@ -11,7 +11,8 @@ struct ElementBenchOptions
 {
   int elements_per_edge = 48; // of a cube
   int repeats           = 7;  // the median counts
-  /// "one point" or "full"; "own tensors": full, each Gauss point with its own stiffness.
+  /// "one point" or "full"; "own tensors": full, each Gauss point with its own stiffness;
+  /// "general": one point, distorted elements, as in a projectile: one cube per rank.
   std::string element   = "one point";
   std::string instruction_set; // empty: the best one
   bool json = false;           // one JSON object instead of text
