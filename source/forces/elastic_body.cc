@@ -2,6 +2,7 @@
 #include "ricochet/forces/elastic_body.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/forces/nearest_rigid_motion.h"
 
 #include <Eigen/Dense>
 
@@ -220,41 +221,6 @@ FiniteElementForce::Momenta ElasticBody::momenta() const
 
 RigidBody::Motion ElasticBody::rigid_motion() const
 {
-  RigidBody::Motion motion;
-  motion.position = Vector3::Zero();
-  for (int node = 0; node < n_nodes(); ++node)
-    motion.position += mass_[node] * at(position_, node);
-  motion.position /= total_mass_;
-  const auto momenta = this->momenta();
-  motion.velocity    = momenta.linear / total_mass_;
-  if (mirrored_)
-    motion.position.y() = motion.velocity.y() = 0.;
-
-  // The rotation nearest to sum m (x - c) (X - C)^T; the inertia of the present shape.
-  Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero(), inertia = Eigen::Matrix3d::Zero();
-  Vector3 spin_momentum = Vector3::Zero();
-  for (int node = 0; node < n_nodes(); ++node)
-  {
-    const Vector3 arm = at(position_, node) - motion.position, v = at(velocity_, node);
-    correlation += mass_[node] * arm * (solid_.nodes[node] - centroid_).transpose();
-    inertia += mass_[node] *
-               (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
-    spin_momentum += mass_[node] * arm.cross(v - motion.velocity);
-  }
-  if (mirrored_) // what is odd in y cancels against the other half
-  {
-    for (int d : {0, 2})
-      correlation(1, d) = correlation(d, 1) = inertia(1, d) = inertia(d, 1) = 0.;
-    spin_momentum.x() = spin_momentum.z() = 0.;
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Vector3 signs = Vector3::Ones();
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.)
-    signs.z() = -1.;
-  motion.orientation = Eigen::Quaterniond(
-      Eigen::Matrix3d(svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose()));
-  motion.spin = inertia.ldlt().solve(spin_momentum);
-  return motion;
+  return nearest_rigid_motion(mass_, solid_.nodes, position_, velocity_, mirrored_);
 }
 } // namespace ricochet

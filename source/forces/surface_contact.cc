@@ -71,7 +71,7 @@ SurfaceContact::SurfaceContact(const MPI_Comm communicator, const FrictionLaw &l
 {
 }
 
-void SurfaceContact::find_loads(const ElasticBody &body, const FacetedSurface &surface,
+void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &surface,
                                 PeridynamicForce &plate)
 {
   const Lattice &lattice = plate.lattice();
@@ -121,7 +121,7 @@ void SurfaceContact::find_loads(const ElasticBody &body, const FacetedSurface &s
     {
       sliding[i] = velocity.dot(tangents.direction[i]);
       for (int node = 0; node < 4; ++node)
-        sliding[i] -= tangents.on_node[i][node].dot(at(body.velocity(), quad[node]));
+        sliding[i] -= tangents.on_node[i][node].dot(at(body.velocity, quad[node]));
     }
     const double speed            = sliding.norm();
     const Eigen::Vector2d against = -sliding / std::max(speed, parameters_.regularisation_speed);
@@ -177,7 +177,7 @@ std::vector<SurfaceContact::Load> SurfaceContact::gather() const
   return all;
 }
 
-SurfaceContact::Reaction SurfaceContact::evaluate(ElasticBody &body, const FacetedSurface &surface,
+SurfaceContact::Reaction SurfaceContact::evaluate(const SurfaceNodes &body, const FacetedSurface &surface,
                                                   const Vector3 &centre, PeridynamicForce &plate)
 {
   find_loads(body, surface, plate);
@@ -186,7 +186,7 @@ SurfaceContact::Reaction SurfaceContact::evaluate(ElasticBody &body, const Facet
 
   Reaction reaction{Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Vector3::Zero(),
                     Vector3::Zero(), 0.,              deepest_,        0.};
-  friction_.assign(body.force().size(), 0.);
+  friction_.assign(body.force.size(), 0.);
   for (const auto &load : all)
   {
     const auto &quad = surface.faces()[static_cast<std::size_t>(load.face)];
@@ -194,13 +194,13 @@ SurfaceContact::Reaction SurfaceContact::evaluate(ElasticBody &body, const Facet
     {
       const Eigen::Map<const Vector3> normal(load.normal + 3 * node),
           friction(load.friction + 3 * node);
-      const Vector3 arm = at(body.position(), quad[node]) - centre;
+      const Vector3 arm = at(body.position, quad[node]) - centre;
       reaction.normal += normal;
       reaction.moment += arm.cross(normal + friction);
       reaction.friction_moment += arm.cross(friction);
       for (int d = 0; d < 3; ++d)
       {
-        body.force()[3 * quad[node] + d] += normal[d] + friction[d];
+        body.force[3 * quad[node] + d] += normal[d] + friction[d];
         friction_[3 * quad[node] + d] += friction[d];
       }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact of the points of a peridynamic body with the surface of an elastic body: the laws of
+// Contact of the points of a peridynamic body with the surface of a deformable projectile: the laws of
 // forces/projectile_contact.h, with the surface's own triangles instead of an analytic shape.
 //
 // With the nearest point c = sum N_a x_a, distance phi and normal n, the normal force has the
@@ -9,7 +9,7 @@
 // moments of points and nodes cancel to rounding, and the sliding speed is the one on which these
 // very forces do work.
 //
-// The elastic body is the same on every rank; what the ranks' points do to it is gathered and added
+// The projectile is the same on every rank; what the ranks' points do to it is gathered and added
 // in the order of the points, hence independent of the number of ranks.
 #pragma once
 
@@ -19,6 +19,23 @@
 
 namespace ricochet
 {
+/// What a body shows to its contacts: the nodes of its surface, three numbers each.
+struct SurfaceNodes
+{
+  const std::vector<double> &position; // [m]
+  const std::vector<double> &velocity; // [m/s]
+  std::vector<double> &force;          // [N], added to
+
+  SurfaceNodes(const std::vector<double> &x, const std::vector<double> &v, std::vector<double> &f) :
+    position(x), velocity(v), force(f)
+  {
+  }
+  SurfaceNodes(ElasticBody &body) :
+    SurfaceNodes(body.position(), body.velocity(), body.force())
+  {
+  }
+};
+
 class SurfaceContact
 {
 public:
@@ -32,7 +49,7 @@ public:
   /// Adds contact forces to the points and, whole, to the body; `surface` is up to date and reaches
   /// a spacing far or more: a point that has come deeper is followed by a search of all faces. Returns what the points do to the body; moments are about `centre`.
   /// Collective.
-  Reaction evaluate(ElasticBody &body, const FacetedSurface &surface, const Vector3 &centre,
+  Reaction evaluate(const SurfaceNodes &body, const FacetedSurface &surface, const Vector3 &centre,
                     PeridynamicForce &plate);
 
   /// Adds the friction work of this step to the ledger: call after the points' kick, which is `dt`
@@ -60,7 +77,7 @@ private:
     Vector3 velocity; // before the kick [m/s]
   };
 
-  void find_loads(const ElasticBody &body, const FacetedSurface &surface, PeridynamicForce &plate);
+  void find_loads(const SurfaceNodes &body, const FacetedSurface &surface, PeridynamicForce &plate);
   std::vector<Load> gather() const;
 
   MPI_Comm communicator_;
