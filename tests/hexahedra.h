@@ -52,7 +52,8 @@ inline HexSolid block(const std::array<int, 3> &n, const double h, const double 
 }
 
 /// All nodes moved: no two elements are alike, no face is flat.
-inline HexSolid distorted_block(const std::array<int, 3> &n, const double h, const double distortion)
+inline HexSolid distorted_block(const std::array<int, 3> &n, const double h,
+                                const double distortion)
 {
   HexSolid solid = block(n, h);
   Random random(12);
@@ -96,7 +97,8 @@ struct FullyIntegrated
           double value = (a >> d) & 1 ? 0.125 : -0.125;
           for (int e = 0; e < 3; ++e)
             if (e != d)
-              value *= 1. + ((a >> e) & 1 ? 1. : -1.) * ((point >> e) & 1 ? 1. : -1.) / std::sqrt(3.);
+              value *=
+                  1. + ((a >> e) & 1 ? 1. : -1.) * ((point >> e) & 1 ? 1. : -1.) / std::sqrt(3.);
           derivative(a, d) = value;
         }
       const Eigen::Matrix3d J                    = X * derivative;

@@ -50,6 +50,17 @@ inline Scene deformable(Scene scene)
   return scene;
 }
 
+/// The same of peridynamic points.
+inline Scene peridynamic(Scene scene)
+{
+  scene.projectile.model          = ProjectileModel::peridynamic;
+  scene.projectile.youngs_modulus = 202e9;
+  scene.projectile.poissons_ratio = 0.3;
+  scene.projectile.spacing        = 0.5e-3;
+  scene.projectile.refinement     = 1;
+  return scene;
+}
+
 inline Scene symmetric(Scene scene)
 {
   scene.symmetric = true;

@@ -83,8 +83,10 @@ void check(const MPI_Comm communicator, const ParameterFile &file)
               scene.impact.incidence_angle / deg,
               0.5e-3 * scene.projectile.mass * scene.impact.speed * scene.impact.speed);
   if (simulation.projectile().n_elements() > 0)
-    std::printf("  deformable   %d hexahedra%s, E %.4g GPa, nu %.3f\n",
-                simulation.projectile().n_elements(), scene.symmetric ? " in the half computed" : "",
+    std::printf("  deformable   %d %s%s, E %.4g GPa, nu %.3f\n",
+                simulation.projectile().n_elements(),
+                scene.projectile.model == ProjectileModel::peridynamic ? "points" : "hexahedra",
+                scene.symmetric ? " in the half computed" : "",
                 scene.projectile.youngs_modulus / GPa, scene.projectile.poissons_ratio);
   print_plates(simulation);
   std::printf("size           %.0f points, %.4g M bonds\n", points, bonds / 1e6);

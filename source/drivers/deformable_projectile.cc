@@ -46,7 +46,8 @@ std::vector<SurfaceQuad> outer_faces(const HexSolid &mesh, const bool mirrored)
     faces.erase(std::remove_if(faces.begin(), faces.end(),
                                [&](const SurfaceQuad &quad)
                                {
-                                 return std::all_of(quad.begin(), quad.end(), [&](const int node)
+                                 return std::all_of(quad.begin(), quad.end(),
+                                                    [&](const int node)
                                                     { return mesh.nodes[node].y() == 0.; });
                                }),
                 faces.end());
@@ -69,8 +70,7 @@ DeformableProjectile::DeformableProjectile(const MPI_Comm communicator, const Sc
     for (const int node : quad)
       centre += 0.25 * nodes[node];
     is_shank.push_back(body().hit(centre).surface == BodyOfRevolution::Surface::shank);
-    const Vector3 cross =
-        (nodes[quad[2]] - nodes[quad[0]]).cross(nodes[quad[3]] - nodes[quad[1]]);
+    const Vector3 cross = (nodes[quad[2]] - nodes[quad[0]]).cross(nodes[quad[3]] - nodes[quad[1]]);
     for (const int node : quad)
       area[node] += cross.norm() / 8.;
   }

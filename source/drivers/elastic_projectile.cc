@@ -11,8 +11,8 @@ namespace
 {
 FiniteElementMaterial material_of(const Scene &scene, const HexSolid &mesh)
 {
-  const auto &p    = scene.projectile;
-  const double E   = p.youngs_modulus, nu = p.poissons_ratio;
+  const auto &p  = scene.projectile;
+  const double E = p.youngs_modulus, nu = p.poissons_ratio;
   const double own = scene.symmetric ? p.mass / 2. : p.mass;
   return {own / volume(mesh), E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))};
 }

@@ -98,7 +98,9 @@ void declare(CLI::App &app, Arguments &arguments)
       ->capture_default_str();
   elements->add_option("--repeats", arguments.elements.repeats, "timed repeats, the median counts")
       ->capture_default_str();
-  elements->add_option("--element", arguments.elements.element, "one point, full, own tensors or general")
+  elements
+      ->add_option("--element", arguments.elements.element,
+                   "one point, full, own tensors or general")
       ->capture_default_str();
   elements->add_option("--instruction-set", arguments.elements.instruction_set,
                        "avx512, avx2 or baseline; default: the best one");

@@ -35,14 +35,14 @@ void mesh(const MPI_Comm communicator, const ParameterFile &file, const MeshOpti
           mean += quality / static_cast<double>(solid.cells.size());
         }
         // Steel, if the scene says nothing else.
-        const double E  = scene.projectile.youngs_modulus > 0. ? scene.projectile.youngs_modulus
-                                                               : 202. * GPa;
-        const double nu = scene.projectile.youngs_modulus > 0. ? scene.projectile.poissons_ratio : 0.3;
+        const double E =
+            scene.projectile.youngs_modulus > 0. ? scene.projectile.youngs_modulus : 202. * GPa;
+        const double nu =
+            scene.projectile.youngs_modulus > 0. ? scene.projectile.poissons_ratio : 0.3;
         const double density = scene.projectile.mass / volume(solid);
         ElasticBody elastic(solid, {density, E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))},
                             /*mirrored=*/false);
-        const double step =
-            2. / std::sqrt(estimate_largest_frequency(elastic).squared_frequency);
+        const double step = 2. / std::sqrt(estimate_largest_frequency(elastic).squared_frequency);
         std::printf("mesh           %zu hexahedra, %zu nodes, %zu faces on the surface\n",
                     solid.cells.size(), solid.nodes.size(), surface_of(solid).size());
         std::printf("scaled Jacobian  smallest %.3f, mean %.3f (limit %.2f)\n", worst, mean,
@@ -50,8 +50,8 @@ void mesh(const MPI_Comm communicator, const ParameterFile &file, const MeshOpti
         std::printf("volume         %.2f mm3, %+.2f %% against the shape\n", volume(solid) / 1e-9,
                     100. * (volume(solid) / body.volume() - 1.));
         std::printf("smallest edge  %.3f mm\n", smallest_edge(solid) / mm);
-        std::printf("stable step    %.4f us (E %.4g GPa, nu %.3f, %.0f kg/m3)\n", step / us, E / GPa,
-                    nu, density);
+        std::printf("stable step    %.4f us (E %.4g GPa, nu %.3f, %.0f kg/m3)\n", step / us,
+                    E / GPa, nu, density);
         if (!options.write.empty())
         {
           std::ostringstream text;

@@ -3,6 +3,7 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/drivers/elastic_projectile.h"
+#include "ricochet/drivers/peridynamic_projectile.h"
 #include "ricochet/drivers/rigid_projectile.h"
 #include "ricochet/geometry/revolved_hexes.h"
 
@@ -60,7 +61,8 @@ HexSolid fitted(HexSolid mesh, const BodyOfRevolution &body)
     high = high.cwiseMax(x);
   }
   const double length = body.shape().length, diameter = body.shape().diameter;
-  const double z = std::max(std::abs(low.z()), std::abs(high.z())), y = std::max(std::abs(low.y()), std::abs(high.y()));
+  const double z             = std::max(std::abs(low.z()), std::abs(high.z())),
+               y             = std::max(std::abs(low.y()), std::abs(high.y()));
   constexpr double tolerance = 0.06; // a coarse polygon instead of a circle
   if (std::abs(high.x() - low.x() - length) > tolerance * length ||
       std::abs(2. * z - diameter) > tolerance * diameter ||
@@ -90,9 +92,8 @@ HexSolid projectile_mesh(const Scene &scene)
 {
   const auto &projectile = scene.projectile;
   const BodyOfRevolution body(projectile.shape);
-  const HexSolid whole = projectile.mesh.cells.empty()
-                             ? revolved_hexes(body, projectile.refinement)
-                             : fitted(projectile.mesh, body);
+  const HexSolid whole = projectile.mesh.cells.empty() ? revolved_hexes(body, projectile.refinement)
+                                                       : fitted(projectile.mesh, body);
   return scene.symmetric ? upper_half(whole, 1e-6 * projectile.shape.diameter) : whole;
 }
 
@@ -108,11 +109,13 @@ std::unique_ptr<Projectile> make_projectile(const MPI_Comm communicator, const S
   if (scene.projectile.model == ProjectileModel::rigid)
     return std::make_unique<RigidProjectile>(communicator, scene, start, law, plates);
 
-  // In the same place; higher only if a corner of the facets, which stands out from the shape, would
-  // lie in the plate.
+  // In the same place; higher only if a corner of the facets, which stands out from the shape,
+  // would lie in the plate.
   const HexSolid mesh = projectile_mesh(scene);
-  start.position.z() = std::max(start.position.z(), -lowest_node(mesh, start.orientation));
-  Vector3 centre      = centroid(mesh);
+  start.position.z()  = std::max(start.position.z(), -lowest_node(mesh, start.orientation));
+  if (scene.projectile.model == ProjectileModel::peridynamic)
+    return std::make_unique<PeridynamicProjectile>(communicator, scene, mesh, start, law, plates);
+  Vector3 centre = centroid(mesh);
   if (scene.symmetric)
     centre.y() = 0.;
   start.position += start.orientation * centre;

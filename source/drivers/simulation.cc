@@ -224,7 +224,7 @@ std::pair<Vector3, Vector3> Simulation::target_box() const
 EnergyBalance Simulation::energies() const
 {
   EnergyBalance e{};
-  e.initial           = initial_energy_;
+  e.initial             = initial_energy_;
   const auto projectile = projectile_->energies(reaction_, dt_);
   e.projectile          = projectile.kinetic;
   e.elastic             = projectile.elastic;

@@ -39,9 +39,9 @@ public:
     for (int node = 0; node < body_.n_nodes(); ++node)
       for (int d = 0; d < 3; ++d)
       {
-        const int i = 3 * node + d;
-        body_.position()[i] =
-            body_.solid().nodes[node][d] - amplitude_ * body_.force()[i] * body_.inverse_mass(i) / norm;
+        const int i         = 3 * node + d;
+        body_.position()[i] = body_.solid().nodes[node][d] -
+                              amplitude_ * body_.force()[i] * body_.inverse_mass(i) / norm;
       }
   }
 

@@ -197,8 +197,8 @@ ElasticBody::Energies ElasticBody::energies(const double dt) const
   Energies e{0., 0., 0.};
   for (int node = 0; node < n_nodes(); ++node)
     for (int i = 3 * node; i < 3 * node + 3; ++i)
-      e.kinetic += 0.5 * mass_[node] * velocity_[i] *
-                   (velocity_[i] + dt * force_[i] * inverse_mass_[i]);
+      e.kinetic +=
+          0.5 * mass_[node] * velocity_[i] * (velocity_[i] + dt * force_[i] * inverse_mass_[i]);
   for (std::size_t cell = 0; cell < strain_energy_.size(); ++cell)
   {
     e.strain += strain_energy_[cell];

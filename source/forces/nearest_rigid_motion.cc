@@ -43,8 +43,8 @@ RigidBody::Motion nearest_rigid_motion(const std::vector<double> &mass,
   {
     const Vector3 arm = at(position, node) - motion.position;
     correlation += mass[node] * arm * (reference[node] - centre).transpose();
-    inertia += mass[node] *
-               (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
+    inertia +=
+        mass[node] * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
     spin_momentum += mass[node] * arm.cross(at(velocity, node) - motion.velocity);
   }
   if (mirrored) // what is odd in y cancels against the other half

@@ -20,10 +20,10 @@ struct Tangents
 
   Tangents(const FacetedSurface &surface, const FacetedSurface::Hit &hit)
   {
-    const Vector3 &n      = hit.normal;
-    const auto &quad      = surface.faces()[hit.face];
-    const Vector3 along   = surface.node(quad[2]) - surface.node(quad[0]);
-    const Vector3 across  = surface.node(quad[3]) - surface.node(quad[1]);
+    const Vector3 &n     = hit.normal;
+    const auto &quad     = surface.faces()[hit.face];
+    const Vector3 along  = surface.node(quad[2]) - surface.node(quad[0]);
+    const Vector3 across = surface.node(quad[3]) - surface.node(quad[1]);
     // At an edge n may point along one of the diagonals, but not along both.
     const Vector3 &longer =
         std::abs(n.dot(along)) * across.norm() < std::abs(n.dot(across)) * along.norm() ? along
@@ -79,7 +79,8 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
   const double radius    = lattice.box().spacing / 2.;
   const auto [low, high] = surface.bounding_box();
   Vector3 first = low - Vector3::Constant(radius), last = high + Vector3::Constant(radius);
-  // A point that has crossed the symmetry plane touches the other half as its image touches this one.
+  // A point that has crossed the symmetry plane touches the other half as its image touches this
+  // one.
   const bool mirrored = multiplicity_ == 2.;
   if (mirrored)
     first.y() = -last.y();
@@ -141,8 +142,8 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
     touches_.push_back({p, friction, at(a.velocity, p)});
 
     Load load;
-    load.face   = hit.face;
-    load.energy = 0.5 * pressure * depth;
+    load.face           = hit.face;
+    load.energy         = 0.5 * pressure * depth;
     const Vector3 slide = in_space(mu * pressure * against), along = in_space(shank * against);
     for (int d = 0; d < 3; ++d)
     {
@@ -150,9 +151,9 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
       load.shank[d]   = -along[d];
       for (int node = 0; node < 4; ++node)
       {
-        load.normal[3 * node + d]   = -hit.weights[node] * pressure * hit.normal[d];
-        load.friction[3 * node + d] = -drag[0] * tangents.on_node[0][node][d] -
-                                      drag[1] * tangents.on_node[1][node][d];
+        load.normal[3 * node + d] = -hit.weights[node] * pressure * hit.normal[d];
+        load.friction[3 * node + d] =
+            -drag[0] * tangents.on_node[0][node][d] - drag[1] * tangents.on_node[1][node][d];
       }
     }
     loads_.push_back(load);
@@ -177,15 +178,18 @@ std::vector<SurfaceContact::Load> SurfaceContact::gather() const
   return all;
 }
 
-SurfaceContact::Reaction SurfaceContact::evaluate(const SurfaceNodes &body, const FacetedSurface &surface,
+SurfaceContact::Reaction SurfaceContact::evaluate(const SurfaceNodes &body,
+                                                  const FacetedSurface &surface,
                                                   const Vector3 &centre, PeridynamicForce &plate)
 {
   find_loads(body, surface, plate);
   const auto all = gather();
   MPI_Allreduce(MPI_IN_PLACE, &deepest_, 1, MPI_DOUBLE, MPI_MAX, communicator_);
 
-  Reaction reaction{Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Vector3::Zero(),
-                    Vector3::Zero(), 0.,              deepest_,        0.};
+  Reaction reaction{Vector3::Zero(), Vector3::Zero(),
+                    Vector3::Zero(), Vector3::Zero(),
+                    Vector3::Zero(), 0.,
+                    deepest_,        0.};
   friction_.assign(body.force.size(), 0.);
   for (const auto &load : all)
   {

@@ -81,8 +81,8 @@ void FacetedSurface::update(const std::vector<double> &position, const double re
   // Cells about as large as a face with its reach: a face is listed in about eight of them.
   const Vector3 corner = low_ - Vector3::Constant(reach),
                 extent = high_ - low_ + Vector3::Constant(2. * reach);
-  cell_                = std::max({size / static_cast<double>(faces_.size()) + reach,
-                                   std::cbrt(extent.prod() / 1e6), 1e-300});
+  cell_                = std::max(
+                     {size / static_cast<double>(faces_.size()) + reach, std::cbrt(extent.prod() / 1e6), 1e-300});
   for (int d = 0; d < 3; ++d)
     n_[d] = static_cast<int>(extent[d] / cell_) + 1;
   starts_.assign(static_cast<std::size_t>(n_[0]) * n_[1] * n_[2] + 1, 0);
@@ -128,10 +128,10 @@ bool FacetedSurface::improve(const int face, const Vector3 &point, double &squar
     const double d2       = away.squaredNorm();
     if (d2 > squared * (1. + tie))
       continue;
-    const Vector3 normal = (b - a).cross(centre - a).normalized();
-    const double length  = std::sqrt(d2);
-    const double along   = normal.dot(away);
-    const bool on_it     = length <= 1e-9 * spheres_[face].radius;
+    const Vector3 normal  = (b - a).cross(centre - a).normalized();
+    const double length   = std::sqrt(d2);
+    const double along    = normal.dot(away);
+    const bool on_it      = length <= 1e-9 * spheres_[face].radius;
     const double squarely = on_it ? 1. : std::abs(along) / length;
     if (d2 > squared * (1. - tie) && squarely <= cosine)
       continue;

@@ -104,8 +104,8 @@ public:
     if (s == 0.)
       return {shoulder_, 0., 0.};
     const double theta = polar_angle(unit);
-    const double x = is_round_ ? length_ * unit.x() / s : length_ * (1. - 2. * theta / M_PI);
-    const double r = across == 0. ? 0. : s * scale(theta) * profile(x) / across;
+    const double x     = is_round_ ? length_ * unit.x() / s : length_ * (1. - 2. * theta / M_PI);
+    const double r     = across == 0. ? 0. : s * scale(theta) * profile(x) / across;
     return {shoulder_ + s * x, r * unit.y(), r * unit.z()};
   }
   double shoulder() const { return shoulder_; }
@@ -139,7 +139,8 @@ private:
   /// outside the shape as inside, on an average around each node.
   void fit(const int n, const double widen)
   {
-    std::vector<std::array<Vector3, 4>> quads; // on the unit sphere: the cap and a quarter of the sides
+    std::vector<std::array<Vector3, 4>>
+        quads; // on the unit sphere: the cap and a quarter of the sides
     const auto add = [&](auto &&face)
     {
       for (int i = 0; i < n; ++i)
@@ -177,17 +178,16 @@ private:
         for (int a = 0; a < 4; ++a)
           for (int point = 0; point < 3; ++point)
           {
-            const int b = (a + 1) % 4;
-            double share[3] = {1. / 6., 1. / 6., 1. / 6.};
-            share[point]    = 2. / 3.;
-            const double area =
-                (corner[b] - corner[a]).cross(mean - corner[a]).norm();
+            const int b       = (a + 1) % 4;
+            double share[3]   = {1. / 6., 1. / 6., 1. / 6.};
+            share[point]      = 2. / 3.;
+            const double area = (corner[b] - corner[a]).cross(mean - corner[a]).norm();
             const double distance =
                 body_.hit(share[0] * corner[a] + share[1] * corner[b] + share[2] * mean).distance;
             for (int c = 0; c < 4; ++c)
             {
-              const double weight = area * (0.25 * share[2] + (c == a ? share[0] : 0.) +
-                                            (c == b ? share[1] : 0.));
+              const double weight =
+                  area * (0.25 * share[2] + (c == a ? share[0] : 0.) + (c == b ? share[1] : 0.));
               auto &sum = error[key(polar_angle(quad[c]))];
               sum.first += weight * distance;
               sum.second += weight;
@@ -201,7 +201,7 @@ private:
         if (number == 0 || theta > M_PI / 2. - 1e-6) // the tip stays, the shoulder is the shank's
           continue;
         const double x = is_round_ ? length_ * std::cos(theta) : length_ * (1. - 2. * theta / M_PI);
-        better[theta] = scale(theta) - sum.first / sum.second / profile(x);
+        better[theta]  = scale(theta) - sum.first / sum.second / profile(x);
       }
       better[0.] = better.begin()->second;
       scales_    = better;
@@ -276,15 +276,17 @@ HexSolid revolved_hexes(const BodyOfRevolution &body, const int refinement)
   if (shank > 0.)
   {
     // A third longer than the cells of the square are wide.
-    const int layers = std::max(1, static_cast<int>(std::lround(0.75 * shank * n / (2. * inner * radius))));
+    const int layers =
+        std::max(1, static_cast<int>(std::lround(0.75 * shank * n / (2. * inner * radius))));
     const auto place = [&](const int i, const Vector3 &unit)
     {
       return Vector3(body.base_position() + shank * i / layers, widen * radius * unit.y(),
                      widen * radius * unit.z());
     };
     builder.block({layers, n, n},
-                  [&](const int i, const int j, const int k)
-                  { return place(i, in_box({0., coordinate(j), coordinate(k)})); });
+                  [&](const int i, const int j, const int k) {
+                    return place(i, in_box({0., coordinate(j), coordinate(k)}));
+                  });
     all_around(
         [&](auto &&side)
         {

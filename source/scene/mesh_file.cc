@@ -37,8 +37,9 @@ void check_format(const std::string &file, const std::string &text)
   int is_binary = 1;
   in >> word >> version >> is_binary;
   if (word != "$MeshFormat")
-    throw InputError(file + ": This is not a gmsh mesh: it does not begin with $MeshFormat.\n  Save "
-                            "it as 'Version 2 ASCII' or 'Version 4 ASCII'.");
+    throw InputError(file +
+                     ": This is not a gmsh mesh: it does not begin with $MeshFormat.\n  Save "
+                     "it as 'Version 2 ASCII' or 'Version 4 ASCII'.");
   if ((version != "2.2" && version != "4.1") || is_binary != 0)
     throw InputError(file + ": This is gmsh's format " + version +
                      (is_binary ? " binary" : " ASCII") +
@@ -88,7 +89,7 @@ HexSolid read_mesh(const std::filesystem::path &path, const double unit)
       int &node = number[cell->vertex_index(a)];
       if (node < 0)
       {
-        node = static_cast<int>(solid.nodes.size());
+        node          = static_cast<int>(solid.nodes.size());
         const auto &x = cell->vertex(a);
         solid.nodes.emplace_back(unit * x[0], unit * x[1], unit * x[2]);
       }
@@ -102,8 +103,8 @@ HexSolid read_mesh(const std::filesystem::path &path, const double unit)
     {
       const Vector3 x = solid.nodes[solid.cells[cell][0]] / unit;
       std::ostringstream message;
-      message << file << ": A hexahedron has a scaled Jacobian of " << quality
-              << "; the limit is " << smallest_scaled_jacobian << " (1 is a box, "
+      message << file << ": A hexahedron has a scaled Jacobian of " << quality << "; the limit is "
+              << smallest_scaled_jacobian << " (1 is a box, "
               << "not above 0 is folded). One of its corners is (" << x.transpose()
               << ").\n  Mesh the body with better elements there.";
       throw InputError(message.str());
@@ -129,8 +130,8 @@ void write_mesh(const HexSolid &solid, const BodyOfRevolution &body, const doubl
   std::size_t element = 0;
   for (const auto &quad : surface)
   {
-    Vector3 centre  = Vector3::Zero();
-    bool on_plane   = true;
+    Vector3 centre = Vector3::Zero();
+    bool on_plane  = true;
     for (const int node : quad)
     {
       centre += 0.25 * solid.nodes[node];

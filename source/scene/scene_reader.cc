@@ -146,7 +146,10 @@ void read_deformable(const Parameters &parameters, ProjectileParameters &project
   const std::string in = "Projectile";
   if (parameters.text(in, "Model") == "rigid")
     return;
-  projectile.model          = ProjectileModel::finite_elements;
+  projectile.model          = parameters.text(in, "Model") == "peridynamic"
+                                  ? ProjectileModel::peridynamic
+                                  : ProjectileModel::finite_elements;
+  projectile.spacing        = parameters.quantity(in, "Grid spacing");
   projectile.youngs_modulus = parameters.quantity(in, "Young's modulus");
   projectile.poissons_ratio = parameters.quantity(in, "Poisson's ratio");
   if (!(projectile.poissons_ratio < 0.5))
@@ -159,9 +162,10 @@ void read_deformable(const Parameters &parameters, ProjectileParameters &project
   projectile.refinement = static_cast<int>(refinement);
   if (parameters.is_given(in, "Mesh"))
   {
-    const std::map<std::string, double> units{{"m", 1.}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 25.4e-3}};
-    projectile.mesh = read_mesh(path_in(parameters, in, "Mesh"),
-                                units.at(parameters.text(in, "Mesh unit")));
+    const std::map<std::string, double> units{
+        {"m", 1.}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 25.4e-3}};
+    projectile.mesh =
+        read_mesh(path_in(parameters, in, "Mesh"), units.at(parameters.text(in, "Mesh unit")));
   }
 }
 
@@ -175,8 +179,8 @@ ProjectileParameters read_projectile(const Parameters &parameters)
     const double mass = parameters.is_given("Projectile", "Mass")
                             ? parameters.quantity("Projectile", "Mass")
                             : parameters.quantity("Projectile", "Density") * body.volume();
-    projectile.shape = body.shape();
-    projectile.mass  = mass;
+    projectile.shape  = body.shape();
+    projectile.mass   = mass;
   }
   catch (const InputError &error) // the body does not know which lines it comes from
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Whole impacts with a projectile of finite elements.
+// Whole impacts with a deformable projectile: of finite elements, of peridynamic points.
 #include "ricochet/base/exceptions.h"
 #include "ricochet/drivers/elastic_projectile.h"
 #include "ricochet/geometry/revolved_hexes.h"
@@ -18,15 +18,18 @@ class ElasticImpact : public testing::TestWithParam<Scene>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ElasticImpact,
-                         testing::Values(deformable(small_scene()),
-                                         deformable(symmetric(small_scene())),
-                                         deformable(symmetric(two_plates()))),
-                         [](const auto &info)
-                         {
-                           return std::string(info.param.symmetric ? "Half" : "Full") +
-                                  (info.param.plates.size() > 1 ? "TwoPlates" : "OnePlate");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, ElasticImpact,
+    testing::Values(deformable(small_scene()), deformable(symmetric(small_scene())),
+                    deformable(symmetric(two_plates())), peridynamic(small_scene()),
+                    peridynamic(symmetric(two_plates()))),
+    [](const auto &info)
+    {
+      return std::string(info.param.projectile.model == ProjectileModel::peridynamic ? "Points"
+                                                                                     : "Elements") +
+             (info.param.symmetric ? "Half" : "Full") +
+             (info.param.plates.size() > 1 ? "TwoPlates" : "OnePlate");
+    });
 
 TEST_P(ElasticImpact, EnergyAndMomentaBalance)
 {
@@ -35,7 +38,7 @@ TEST_P(ElasticImpact, EnergyAndMomentaBalance)
   EXPECT_EQ(simulation.dt(), simulation.time_step_info().projectile_dt);
   const auto before = simulation.momenta();
   EXPECT_NEAR(before.linear.norm(), 0.8e-3 * 300., 1e-13);
-  const double arm = simulation.projectile().motion().position.norm();
+  const double arm    = simulation.projectile().motion().position.norm();
   double most_elastic = 0.;
   const double end    = 60e-6;
   for (int i = 0; simulation.time() < end; ++i)
@@ -57,9 +60,21 @@ TEST_P(ElasticImpact, EnergyAndMomentaBalance)
   EXPECT_LT(most_elastic, 0.05 * simulation.energies().initial);
 }
 
-TEST(ElasticProjectile, HalfModelEqualsTheFullModelBeforeDamage)
+class DeformableHalfModel : public testing::TestWithParam<Scene>
 {
-  Scene scene                         = deformable(small_scene());
+};
+
+INSTANTIATE_TEST_SUITE_P(Models, DeformableHalfModel,
+                         testing::Values(deformable(small_scene()), peridynamic(small_scene())),
+                         [](const auto &info) {
+                           return info.param.projectile.model == ProjectileModel::peridynamic
+                                      ? "Points"
+                                      : "Elements";
+                         });
+
+TEST_P(DeformableHalfModel, EqualsTheFullModelBeforeDamage)
+{
+  Scene scene                         = GetParam();
   scene.materials[0].critical_stretch = 10.;
   Scene half_scene                    = symmetric(scene);
   Simulation full(MPI_COMM_SELF, scene);
@@ -77,9 +92,9 @@ TEST(ElasticProjectile, HalfModelEqualsTheFullModelBeforeDamage)
       EXPECT_LT((f.position - h.position).norm(), 1e-10 * 1e-3);
       EXPECT_LT((f.spin - h.spin).norm(), 1e-10 * 1e4);
       const auto e = full.energies(), g = half.energies();
-      for (const auto term : {&EnergyBalance::projectile, &EnergyBalance::elastic,
-                              &EnergyBalance::kinetic, &EnergyBalance::strain,
-                              &EnergyBalance::contact, &EnergyBalance::friction})
+      for (const auto term :
+           {&EnergyBalance::projectile, &EnergyBalance::elastic, &EnergyBalance::kinetic,
+            &EnergyBalance::strain, &EnergyBalance::contact, &EnergyBalance::friction})
         EXPECT_NEAR(e.*term, g.*term, 1e-10 * e.initial);
       EXPECT_EQ(full.reaction().n_touching, half.reaction().n_touching);
     }
@@ -89,12 +104,26 @@ TEST(ElasticProjectile, HalfModelEqualsTheFullModelBeforeDamage)
   EXPECT_GT(full.energies().contact, 0.);
 }
 
-TEST(ElasticProjectile, StiffOneMovesLikeTheRigidOne)
+class DeformableMotion : public testing::TestWithParam<Scene>
 {
-  // An unbroken plate: fracture would amplify what the facets change.
+};
+
+INSTANTIATE_TEST_SUITE_P(Models, DeformableMotion,
+                         testing::Values(deformable(symmetric(small_scene())),
+                                         peridynamic(symmetric(small_scene()))),
+                         [](const auto &info) {
+                           return info.param.projectile.model == ProjectileModel::peridynamic
+                                      ? "Points"
+                                      : "Elements";
+                         });
+
+TEST_P(DeformableMotion, IsThatOfTheRigidProjectile)
+{
+  // An unbroken plate: fracture would amplify what the facets change. Steel hardly bends here.
   Scene rigid_scene                         = symmetric(small_scene());
   rigid_scene.materials[0].critical_stretch = 10.;
-  Scene elastic_scene                       = deformable(rigid_scene);
+  Scene elastic_scene                       = GetParam();
+  elastic_scene.materials                   = rigid_scene.materials;
   elastic_scene.projectile.refinement       = 3;
   Simulation elastic(MPI_COMM_SELF, elastic_scene);
   rigid_scene.time.safety_factor *= elastic.dt() / Simulation(MPI_COMM_SELF, rigid_scene).dt();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A projectile of finite elements on one rank and on all: exactly the same numbers.
+// A deformable projectile on one rank and on all: exactly the same numbers.
 #include "small_scene.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene)
   Simulation simulation(communicator, scene);
   std::vector<double> rows{simulation.dt()};
   const auto add = [&](const Vector3 &v) { rows.insert(rows.end(), v.data(), v.data() + 3); };
-  for (int i = 0; i <= 300; ++i)
+  for (int i = 0; i <= 160; ++i)
   {
-    simulation.evaluate(/*energy=*/true);
+    simulation.evaluate(/*energy=*/i % 20 == 0);
     if (i % 20 == 0)
     {
       const auto &motion = simulation.projectile().motion();
@@ -32,9 +32,10 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene)
   return rows;
 }
 
-TEST(RankIndependence, ElasticProjectileIsExactlyTheSame)
+TEST(RankIndependence, DeformableProjectileIsExactlyTheSame)
 {
-  for (const auto &scene : {deformable(small_scene()), deformable(symmetric(two_plates()))})
+  for (const auto &scene : {deformable(small_scene()), deformable(symmetric(two_plates())),
+                            peridynamic(symmetric(small_scene()))})
   {
     std::vector<double> all = history(MPI_COMM_WORLD, scene), one(all.size());
     int rank;
@@ -46,7 +47,7 @@ TEST(RankIndependence, ElasticProjectileIsExactlyTheSame)
     for (std::size_t i = 0; i < all.size(); ++i)
       n_different += all[i] != one[i];
     EXPECT_EQ(n_different, 0) << "of " << all.size();
-    EXPECT_GT(all.back(), 1000.) << "too few broken bonds for a hard test";
+    EXPECT_GT(all.back(), 500.) << "too few broken bonds for a hard test";
   }
 }
 } // namespace

@@ -77,7 +77,7 @@ TEST(ElasticBody, FreeBarRingsAtTheFrequencyOfItsLength)
   const double h = 1e-3;
   const int n    = 40;
   ElasticBody body(block({n, 2, 2}, h, 0.15), steel(), false);
-  const double dt = 0.8 * 2. / std::sqrt(estimate_largest_frequency(body).squared_frequency);
+  const double dt     = 0.8 * 2. / std::sqrt(estimate_largest_frequency(body).squared_frequency);
   const double length = n * h;
   for (int node = 0; node < body.n_nodes(); ++node)
     body.velocity()[3 * node] = 0.1 * std::cos(M_PI * body.solid().nodes[node].x() / length);

@@ -180,11 +180,11 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
       sum += contact.friction_on_nodes()[i] * scene.body.velocity()[i];
     // What is left of the points' forces when the normal ones of a contact without friction go.
     std::vector<Vector3> total;
-    for_each_point(*scene.plate, [&](const std::ptrdiff_t p)
-                   { total.push_back(force(*scene.plate, p)); });
+    for_each_point(*scene.plate,
+                   [&](const std::ptrdiff_t p) { total.push_back(force(*scene.plate, p)); });
     scene.clear();
-    const auto none   = make_friction_law({"constant", 0., 0., 0., 5.});
-    auto without      = make_contact(*none, 0., scene);
+    const auto none = make_friction_law({"constant", 0., 0., 0., 5.});
+    auto without    = make_contact(*none, 0., scene);
     without.evaluate(scene.body, scene.surface, scene.centre, *scene.plate);
     std::size_t point = 0;
     for_each_point(*scene.plate,
@@ -238,7 +238,7 @@ TEST(SurfaceContact, AgreesWithTheRigidShapeWhenTheFacetsAreFine)
     motion.position -= motion.orientation * centroid(scene.body.solid()); // of the shape
     scene.clear();
     ProjectileContact smooth(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
-    const auto expected        = smooth.evaluate(RigidBody(core, 5e-3, motion, false), *scene.plate);
+    const auto expected = smooth.evaluate(RigidBody(core, 5e-3, motion, false), *scene.plate);
     difference[refinement - 2] = (reaction.force() - expected.force()).norm();
     EXPECT_LT(difference[refinement - 2], 0.1 * expected.force().norm());
     EXPECT_NEAR(reaction.energy, expected.energy, 0.1 * expected.energy);

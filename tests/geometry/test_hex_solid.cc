@@ -72,8 +72,7 @@ TEST(RevolvedHexes, RefiningApproachesTheShape)
   const BodyOfRevolution body(samples[0].shape);
   double error[3];
   for (int refinement = 1; refinement <= 3; ++refinement)
-    error[refinement - 1] =
-        std::abs(volume(revolved_hexes(body, refinement)) / body.volume() - 1.);
+    error[refinement - 1] = std::abs(volume(revolved_hexes(body, refinement)) / body.volume() - 1.);
   EXPECT_LT(error[1], error[0] / 3.);
   EXPECT_LT(error[2], error[1] / 3.);
   EXPECT_THROW(revolved_hexes(body, 0), InputError);

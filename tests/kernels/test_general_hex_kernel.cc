@@ -30,9 +30,9 @@ double largest(const ElasticBody &body)
   return force;
 }
 
-const Eigen::Matrix3d stretched = (Eigen::Matrix3d() << 1.01, 0.004, -0.002, 0.003, 0.995, 0.006,
-                                   0.001, -0.005, 1.004)
-                                      .finished();
+const Eigen::Matrix3d stretched =
+    (Eigen::Matrix3d() << 1.01, 0.004, -0.002, 0.003, 0.995, 0.006, 0.001, -0.005, 1.004)
+        .finished();
 
 TEST_P(GeneralHexKernelOn, LinearMotionOfDistortedElementsHasExactEnergyAndNoHourglass)
 {

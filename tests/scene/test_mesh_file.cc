@@ -117,7 +117,7 @@ TEST_F(MeshFile, WhatCannotBeUsedIsRefusedWithOneClearMessage)
   EXPECT_NE(complaint(), "");
 
   // A node pulled through its cells.
-  auto folded = revolved_hexes(core, 1);
+  auto folded                      = revolved_hexes(core, 1);
   folded.nodes[folded.cells[3][7]] = folded.nodes[folded.cells[3][0]] * 0.99;
   save(text_of(folded));
   EXPECT_NE(complaint().find("scaled Jacobian"), std::string::npos) << complaint();

@@ -28,8 +28,8 @@ protected:
 
   /// Call when the body has been put into its first place.
   void begin_motion() { follow(); }
-  /// Contact stiffness that a node of the surface sees: that of the points which lie on its share of
-  /// the surface, of one at least [N/m].
+  /// Contact stiffness that a node of the surface sees: that of the points which lie on its share
+  /// of the surface, of one at least [N/m].
   double contact_stiffness(std::size_t node) const { return stiffness_[node]; }
   double multiplicity() const { return multiplicity_; }
 
@@ -38,7 +38,7 @@ private:
   /// Hands the forces on the surface's nodes on to the body.
   virtual void receive() {}
   /// Kick and drift of the body and its surface.
-  virtual void move(double dt) = 0;
+  virtual void move(double dt)          = 0;
   virtual Motion nearest_motion() const = 0;
 
   void follow();

@@ -42,27 +42,27 @@ public:
   virtual SurfaceFrame surface() const                     = 0;
 
   /// Internal forces at the present time, with `energy` the stored energy too.
-  virtual void begin(bool energy) = 0;
+  virtual void begin(bool energy)                                                        = 0;
   /// Adds the forces of contact to plate number `plate` and to the body. Collective.
-  virtual Reaction touch(std::size_t plate, PeridynamicForce &points) = 0;
+  virtual Reaction touch(std::size_t plate, PeridynamicForce &points)                    = 0;
   /// Kick and drift; `reaction` of all plates.
-  virtual void advance(const Reaction &reaction, double dt) = 0;
+  virtual void advance(const Reaction &reaction, double dt)                              = 0;
   /// The work of friction in this step on the plate's points, after their kick.
   virtual void record_work(std::size_t plate, const PeridynamicForce &points, double dt) = 0;
 
   /// At the present time, before advance().
   virtual Energies energies(const Reaction &reaction, double dt) const = 0;
   /// Of half a step before the present time.
-  virtual Momenta momenta() const = 0;
+  virtual Momenta momenta() const                                      = 0;
   /// Work of friction on body and points so far; minus the heat [J]. Collective.
-  virtual double friction_work() const = 0;
+  virtual double friction_work() const                                 = 0;
 
   /// Largest squared frequency of the body itself, contact springs included; 0 if rigid [1/s^2].
   virtual double squared_frequency() const = 0;
-  /// Finite elements or points; 0 if rigid.
-  virtual int n_elements() const = 0;
+  /// Finite elements or points, as computed; 0 if rigid.
+  virtual int n_elements() const           = 0;
   /// Measured, of the body's internal forces alone [s].
-  virtual double seconds_per_step() const = 0;
+  virtual double seconds_per_step() const  = 0;
 
 protected:
   Projectile(const BodyOfRevolution &body, const double mass) : body_(body), mass_(mass) {}

@@ -26,7 +26,8 @@ struct EnergyBalance
 
   double residual() const
   {
-    return initial - projectile - elastic - kinetic - strain - contact - debris - friction - fracture;
+    return initial - projectile - elastic - kinetic - strain - contact - debris - friction -
+           fracture;
   }
 };
 
@@ -106,15 +107,15 @@ private:
   Scene scene_;
   double multiplicity_; // 2 with a symmetry plane
   std::vector<std::unique_ptr<PeridynamicForce>> plates_;
-  std::vector<FractureEnergy> fractures_;   // per plate
+  std::vector<FractureEnergy> fractures_; // per plate
   std::unique_ptr<DebrisContact> debris_;
   std::unique_ptr<FrictionLaw> friction_law_;
   std::unique_ptr<Projectile> projectile_;
   ProjectileContact::Reaction reaction_;
   TimeStepInfo time_step_info_;
   double time_ = 0., dt_ = 0.;
-  long step_                 = 0;
-  double initial_energy_     = 0.;
+  long step_             = 0;
+  double initial_energy_ = 0.;
 };
 
 /// s_c from the material: given, or from the energy release rate on this stencil [-].

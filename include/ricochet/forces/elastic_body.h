@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A free elastic body of hexahedra of any shape, for projectiles: a few thousand elements that every
-// rank computes whole, so that nothing has to be sent and the result is the same on any number of
-// ranks. See kernels/general_hex_kernel.h for the equations. Owns mesh and state.
+// A free elastic body of hexahedra of any shape, for projectiles: a few thousand elements that
+// every rank computes whole, so that nothing has to be sent and the result is the same on any
+// number of ranks. See kernels/general_hex_kernel.h for the equations. Owns mesh and state.
 #pragma once
 
 #include "ricochet/contact/rigid_body.h"
@@ -49,9 +49,9 @@ public:
   Energies energies(double dt) const;
   double mass() const { return total_mass_; } // as computed [kg]
 
-  /// The rigid motion that the body's is closest to, mass-weighted; with a mirror plane that of both
-  /// halves: centroid, its velocity, the rotation that takes the reference configuration nearest to
-  /// the present one, and the spin with the present angular momentum.
+  /// The rigid motion that the body's is closest to, mass-weighted; with a mirror plane that of
+  /// both halves: centroid, its velocity, the rotation that takes the reference configuration
+  /// nearest to the present one, and the spin with the present angular momentum.
   RigidBody::Motion rigid_motion() const;
   /// Of half a step before the present time, without a mirrored half: linear [kg m/s], and angular
   /// about the origin [kg m^2/s].

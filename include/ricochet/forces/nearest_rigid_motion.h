@@ -7,8 +7,8 @@
 namespace ricochet
 {
 /**
- * Centroid, its velocity, the rotation that takes the reference configuration nearest to the present
- * one (mass-weighted least squares), and the spin with the present angular momentum.
+ * Centroid, its velocity, the rotation that takes the reference configuration nearest to the
+ * present one (mass-weighted least squares), and the spin with the present angular momentum.
  *
  * @param mass       Of each node or point [kg].
  * @param reference  Their reference positions [m].

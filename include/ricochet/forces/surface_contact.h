@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact of the points of a peridynamic body with the surface of a deformable projectile: the laws of
-// forces/projectile_contact.h, with the surface's own triangles instead of an analytic shape.
+// Contact of the points of a peridynamic body with the surface of a deformable projectile: the laws
+// of forces/projectile_contact.h, with the surface's own triangles instead of an analytic shape.
 //
 // With the nearest point c = sum N_a x_a, distance phi and normal n, the normal force has the
 // potential k (dx/2 - phi)^2/2 and acts on the nodes as -N_a f_n n, exactly its gradient. Friction
@@ -30,10 +30,7 @@ struct SurfaceNodes
     position(x), velocity(v), force(f)
   {
   }
-  SurfaceNodes(ElasticBody &body) :
-    SurfaceNodes(body.position(), body.velocity(), body.force())
-  {
-  }
+  SurfaceNodes(ElasticBody &body) : SurfaceNodes(body.position(), body.velocity(), body.force()) {}
 };
 
 class SurfaceContact
@@ -47,8 +44,8 @@ public:
                  bool mirrored, int n_planes, const std::vector<char> &is_shank);
 
   /// Adds contact forces to the points and, whole, to the body; `surface` is up to date and reaches
-  /// a spacing far or more: a point that has come deeper is followed by a search of all faces. Returns what the points do to the body; moments are about `centre`.
-  /// Collective.
+  /// a spacing far or more: a point that has come deeper is followed by a search of all faces.
+  /// Returns what the points do to the body; moments are about `centre`. Collective.
   Reaction evaluate(const SurfaceNodes &body, const FacetedSurface &surface, const Vector3 &centre,
                     PeridynamicForce &plate);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The surface of a deforming body: quadrilaterals, each four flat triangles that meet in the mean of
-// its corners, so that the nearest point is found exactly, without iteration, and is a fixed
+// The surface of a deforming body: quadrilaterals, each four flat triangles that meet in the mean
+// of its corners, so that the nearest point is found exactly, without iteration, and is a fixed
 // weighted mean of the corners. Nearby faces come from a uniform grid.
 #pragma once
 

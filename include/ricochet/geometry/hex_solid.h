@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A solid cut into eight-node hexahedra of any shape, as plain arrays, with the measures that decide
-// whether it can be computed with: Jacobians, quality, smallest edge, volume, surface.
+// A solid cut into eight-node hexahedra of any shape, as plain arrays, with the measures that
+// decide whether it can be computed with: Jacobians, quality, smallest edge, volume, surface.
 #pragma once
 
 #include "ricochet/geometry/vector.h"
@@ -21,7 +21,7 @@ using SurfaceQuad = std::array<int, 4>;
 
 /// Volume of one cell, by Gauss quadrature, which is exact [m^3].
 double cell_volume(const HexSolid &solid, int cell);
-double volume(const HexSolid &solid);   // [m^3]
+double volume(const HexSolid &solid);    // [m^3]
 Vector3 centroid(const HexSolid &solid); // [m]
 
 /// Smallest triple product of the unit vectors along the three edges that meet in a corner: 1 for a

@@ -11,9 +11,9 @@
 namespace ricochet
 {
 /// `refinement` 1 to 4: each doubles the cells along every edge; 4 * 2^refinement edges lie around
-/// the circumference. With its nodes on the surface the body would be too slim and its tip too soft:
-/// radii are enlarged so that the polygon of the shank has the circle's area and the facets of the
-/// nose lie as far outside the shape as inside. In body axes, tip towards x, with the analytic
-/// body's centroid as the origin.
+/// the circumference. With its nodes on the surface the body would be too slim and its tip too
+/// soft: radii are enlarged so that the polygon of the shank has the circle's area and the facets
+/// of the nose lie as far outside the shape as inside. In body axes, tip towards x, with the
+/// analytic body's centroid as the origin.
 HexSolid revolved_hexes(const BodyOfRevolution &body, int refinement);
 } // namespace ricochet

@@ -38,7 +38,8 @@ struct PlateParameters
 enum class ProjectileModel
 {
   rigid,
-  finite_elements
+  finite_elements,
+  peridynamic
 };
 
 struct ProjectileParameters
@@ -48,7 +49,8 @@ struct ProjectileParameters
   // Of a deformable one:
   ProjectileModel model = ProjectileModel::rigid;
   double youngs_modulus = 0., poissons_ratio = 0.; // [Pa], [-]
-  int refinement = 2; // of the generated mesh, from 1
+  double spacing = 0.;                             // dx of the points of a peridynamic one [m]
+  int refinement = 2;                              // of the generated mesh, from 1
   HexSolid mesh  = {}; // read from a file, axis along x; no cells: generated from the shape
 };
 
