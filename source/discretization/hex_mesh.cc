@@ -160,6 +160,16 @@ HexMesh::HexMesh(const MPI_Comm communicator, const Box &box) : box_(box)
   const int halvings = n_common_halvings(box.n);
   Triangulation triangulation(communicator);
   create_cells(triangulation, box, halvings);
+  if (box.cost && dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+  {
+    triangulation.signals.weight.connect(
+        [&](const Triangulation::cell_iterator &cell, const Triangulation::CellStatus)
+        {
+          const double edge = std::ldexp(box.edge, halvings - cell->level());
+          return box.cost(as_vector(cell->vertex(0)) + Vector3::Constant(0.5 * edge), edge);
+        });
+    triangulation.repartition();
+  }
   n_global_elements_ = static_cast<std::int64_t>(triangulation.n_global_active_cells());
   if (const int n_ranks = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(communicator));
       n_global_elements_ < n_ranks)
@@ -206,6 +216,8 @@ HexMesh::HexMesh(const MPI_Comm communicator, const Box &box) : box_(box)
   ghosts.subtract_set(owned);
   ghosts.compress();
 
+  for (const auto ghost : ghosts)
+    ghosts_.push_back(static_cast<std::int64_t>(ghost));
   n_global_nodes_   = static_cast<std::int64_t>(owned.size());
   n_owned_nodes_    = static_cast<int>(owned.n_elements());
   first_owned_node_ = n_owned_nodes_ > 0 ? static_cast<std::int64_t>(owned.nth_index_in_set(0)) : 0;

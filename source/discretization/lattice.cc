@@ -7,10 +7,65 @@
 
 namespace ricochet
 {
+namespace
+{
+/// Planes of a lattice over ranks: equal numbers, or with a zone equal work. Cells of a zone are
+/// not cut.
+std::vector<int> share_planes(const int n_planes, const int n_ranks, const int reach,
+                              const Zone *const zone)
+{
+  std::vector<int> starts(n_ranks + 1);
+  if (zone == nullptr || n_ranks == 1)
+  {
+    for (int rank = 0; rank <= n_ranks; ++rank)
+      starts[rank] = static_cast<int>(static_cast<std::int64_t>(n_planes) * rank / n_ranks);
+    return starts;
+  }
+
+  constexpr int edge             = Zone::points_per_edge;
+  const int n_layers             = n_planes / edge;
+  const int least_layers         = (reach + edge - 1) / edge;
+  // Points with bonds cost; a little for all others, so that no rank gets an endless empty share.
+  constexpr double share_of_none = 0.02;
+  std::vector<double> work(n_layers + 1, 0.);
+  zone->for_each_cell(
+      [&](const Zone::Cell &cell)
+      { work[cell[0] + 1] += zone->layer(cell) < zone->far() ? 1. : share_of_none; });
+  for (int i = 0; i < n_layers; ++i)
+    work[i + 1] += work[i];
+  starts[n_ranks] = n_planes;
+  for (int rank = 1; rank < n_ranks; ++rank)
+  {
+    const double target = work[n_layers] * rank / n_ranks;
+    int layer = static_cast<int>(std::lower_bound(work.begin(), work.end(), target) - work.begin());
+    if (layer > 0 && work[layer] - target > target - work[layer - 1])
+      --layer;
+    layer        = std::max(layer, starts[rank - 1] / edge + least_layers);
+    layer        = std::min(layer, n_layers - (n_ranks - rank) * least_layers);
+    starts[rank] = edge * layer;
+  }
+  return starts;
+}
+} // namespace
+
+std::vector<Lattice::BlockRange> ranges_of_blocks(const std::vector<std::uint8_t> &masks)
+{
+  std::vector<Lattice::BlockRange> ranges;
+  const auto n = static_cast<std::int64_t>(masks.size());
+  for (std::int64_t b = 0; b < n; ++b)
+    if (masks[b] != 0)
+    {
+      if (ranges.empty() || ranges.back().last != b)
+        ranges.push_back({b, b});
+      ranges.back().last = b + 1;
+    }
+  return ranges;
+}
+
 Lattice::Lattice(const Box &box, const Stencil &stencil, const int rank, const int n_ranks,
-                 const Mask &mask) :
+                 const Mask &mask, const Zone *const zone) :
   box_(box),
-  stencil_(stencil), mask_(mask), full_(true)
+  stencil_(stencil), mask_(mask), zone_(zone), full_(true)
 {
   mirror_layers_ = box.mirror_y ? stencil.reach : 0;
   if (box.mirror_y && box.n[1] < stencil.reach)
@@ -19,15 +74,15 @@ Lattice::Lattice(const Box &box, const Stencil &stencil, const int rank, const i
         " points lie between the symmetry plane and the plate's edge; the horizon needs " +
         std::to_string(stencil.reach) + ". Widen the plate or refine the grid spacing.");
   const int n_planes_all = box.n[0];
-  first_plane_ = static_cast<int>(static_cast<std::int64_t>(n_planes_all) * rank / n_ranks);
-  n_planes_    = static_cast<int>(static_cast<std::int64_t>(n_planes_all) * (rank + 1) / n_ranks) -
-              first_plane_;
-  if (n_ranks > 1 && n_planes_all / n_ranks < stencil.reach)
+  if (n_ranks > 1 && n_planes_all / n_ranks < stencil.reach + (zone ? Zone::points_per_edge : 0))
     throw InputError("A plate of " + std::to_string(n_planes_all) +
                      " lattice planes cannot be shared by " + std::to_string(n_ranks) +
                      " ranks: each must own at least " + std::to_string(stencil.reach) +
                      " planes. Use at most " +
                      std::to_string(std::max(1, n_planes_all / stencil.reach)) + " ranks.");
+  plane_starts_ = share_planes(n_planes_all, n_ranks, stencil.reach, zone);
+  first_plane_  = plane_starts_[rank];
+  n_planes_     = plane_starts_[rank + 1] - first_plane_;
 
   row_stride_   = box.n[1] + mirror_layers_;
   plane_stride_ = (row_stride_ * box.n[2] + block_size - 1) / block_size * block_size;
@@ -36,29 +91,72 @@ Lattice::Lattice(const Box &box, const Stencil &stencil, const int rank, const i
   size_ = ((n_planes_ + 2 * stencil.reach) * plane_stride_ + overshoot + block_size - 1) /
           block_size * block_size;
 
-  exists_.assign(size_ / block_size, 0);
-  owned_.assign(size_ / block_size, 0);
-  n_owned_points_ = 0;
-  for (int x = first_plane_ - stencil.reach; x < first_plane_ + n_planes_ + stencil.reach; ++x)
-    for (int z = 0; z < box.n[2]; ++z)
-      for (int y = -mirror_layers_; y < box.n[1]; ++y)
+  for (auto *masks : {&exists_, &owned_, &free_})
+    masks->assign(size_ / block_size, 0);
+  place_points(0, n_planes_all);
+  find_ranges();
+}
+
+PointKind Lattice::kind_at(const int x, const int y, const int z) const
+{
+  const int folded = y < 0 ? -1 - y : y;
+  if (mask_ && !mask_(x, folded, z))
+    return PointKind::absent;
+  return zone_ == nullptr ? PointKind::free : zone_->kind(x, folded, z);
+}
+
+PointKind Lattice::kind(const std::ptrdiff_t index) const
+{
+  if (!exists(index))
+    return PointKind::absent;
+  const auto c = coordinates(index);
+  return kind_at(c[0], c[1], c[2]);
+}
+
+double Lattice::weight(const std::ptrdiff_t index) const
+{
+  if (zone_ == nullptr)
+    return 1.;
+  const auto c = coordinates(index);
+  return zone_->weight(c[0], c[1] < 0 ? -1 - c[1] : c[1], c[2]);
+}
+
+void Lattice::place_points(const int first, const int last)
+{
+  const int lowest  = std::max({0, first, first_plane_ - stencil_.reach});
+  const int highest = std::min({box_.n[0], last, first_plane_ + n_planes_ + stencil_.reach});
+  for (int x = lowest; x < highest; ++x)
+    for (int z = 0; z < box_.n[2]; ++z)
+      for (int y = -mirror_layers_; y < box_.n[1]; ++y)
       {
-        if (x < 0 || x >= n_planes_all)
+        const PointKind kind = kind_at(x, y, z);
+        if (kind == PointKind::absent)
           continue;
-        if (mask_ && !mask_(x, y < 0 ? -1 - y : y, z))
-        {
-          full_ = false;
-          continue;
-        }
         const std::ptrdiff_t p = index(x, y, z);
         const std::uint8_t bit = 1u << (p % block_size);
         exists_[p / block_size] |= bit;
         if (y >= 0 && x >= first_plane_ && x < first_plane_ + n_planes_)
         {
           owned_[p / block_size] |= bit;
-          ++n_owned_points_;
+          if (kind == PointKind::free)
+            free_[p / block_size] |= bit;
         }
       }
+}
+
+void Lattice::find_ranges()
+{
+  existing_ranges_ = ranges_of_blocks(exists_);
+  owned_ranges_    = ranges_of_blocks(owned_);
+  n_owned_points_  = 0;
+  for_each_owned([&](std::ptrdiff_t) { ++n_owned_points_; });
+  full_ = n_owned_points_ == static_cast<std::int64_t>(n_planes_) * box_.n[1] * box_.n[2];
+}
+
+void Lattice::follow_zone(const int first, const int last)
+{
+  place_points(first, last);
+  find_ranges();
 }
 
 std::array<int, 3> Lattice::coordinates(const std::ptrdiff_t index) const
@@ -81,24 +179,34 @@ Vector3 Lattice::reference_position(const std::array<int, 3> &c) const
 
 std::vector<std::uint8_t> Lattice::intact_bonds() const
 {
+  std::vector<std::uint8_t> bonds((size_ / block_size) * stencil_.offsets.size(), 0);
+  set_intact_bonds(0, owned_end() / block_size, bonds.data());
+  return bonds;
+}
+
+void Lattice::set_intact_bonds(const std::int64_t first, const std::int64_t last,
+                               std::uint8_t *const bonds) const
+{
   const std::size_t n_offsets = stencil_.offsets.size();
-  std::vector<std::uint8_t> bonds((size_ / block_size) * n_offsets, 0);
-  for (std::ptrdiff_t p = 0; p < owned_end(); ++p)
+  // Neighbours of a bond: at least one of them must have energy.
+  const auto has_energy       = [&](const std::ptrdiff_t p, const std::array<int, 3> &c)
+  { return free(p) || zone_->weight(c[0], c[1] < 0 ? -1 - c[1] : c[1], c[2]) > 0.; };
+  for (std::ptrdiff_t p = first * block_size; p < last * block_size; ++p)
   {
     if (!exists(p))
       continue;
-    const auto c = coordinates(p);
+    const auto c     = coordinates(p);
+    const bool heavy = zone_ == nullptr || has_energy(p, c);
     for (std::size_t k = 0; k < n_offsets; ++k)
     {
       const auto &o = stencil_.offsets[k];
-      const int y = c[1] + o.y, z = c[2] + o.z;
+      const int x = c[0] + o.x, y = c[1] + o.y, z = c[2] + o.z;
       if (y < -mirror_layers_ || y >= box_.n[1] || z < 0 || z >= box_.n[2])
         continue;
       const std::ptrdiff_t q = p + shift(o);
-      if (q < size_ && exists(q) && (owned(p) || owned(q)))
+      if (q < size_ && exists(q) && (owned(p) || owned(q)) && (heavy || has_energy(q, {x, y, z})))
         bonds[(p / block_size) * n_offsets + k] |= std::uint8_t(1u << (p % block_size));
     }
   }
-  return bonds;
 }
 } // namespace ricochet

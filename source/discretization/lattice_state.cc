@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -10,7 +11,7 @@ namespace ricochet
 {
 namespace
 {
-constexpr int n_fields = 12;
+constexpr int n_fields = 12, n_fields_of_zone = 2;
 }
 
 void LatticeState::Free::operator()(double *p) const
@@ -21,15 +22,16 @@ void LatticeState::Free::operator()(double *p) const
 LatticeState::LatticeState(const Lattice &lattice) :
   size_(lattice.size()), bonds_(lattice.intact_bonds())
 {
+  const int n                 = n_fields + (lattice.zone() != nullptr ? n_fields_of_zone : 0);
   // Equal distances modulo 4096 bytes between the fields would make loads of one field wait for
   // stores to another (the processor compares the low 12 address bits first); 4096/12 rounded to
   // cache lines spreads them evenly.
   const std::ptrdiff_t stride = (size_ + 511) / 512 * 512 + 48;
   storage_.reset(static_cast<double *>(
-      std::aligned_alloc(64, static_cast<std::size_t>(stride * n_fields * 8 + 63) / 64 * 64)));
+      std::aligned_alloc(64, static_cast<std::size_t>(stride * n * 8 + 63) / 64 * 64)));
   if (!storage_)
     throw std::bad_alloc();
-  std::fill(storage_.get(), storage_.get() + stride * n_fields, 0.);
+  std::fill(storage_.get(), storage_.get() + stride * n, 0.);
   double *next    = storage_.get();
   const auto take = [&] { return std::exchange(next, next + stride); };
   for (int d = 0; d < 3; ++d)
@@ -42,7 +44,14 @@ LatticeState::LatticeState(const Lattice &lattice) :
   arrays.theta_before = take();
   arrays.energy       = take();
   arrays.bonds        = bonds_.data();
-  arrays.owned        = lattice.owned_mask().data();
+  arrays.free         = lattice.free_mask().data();
+  arrays.weight = arrays.hold = nullptr;
+  if (lattice.zone() != nullptr)
+  {
+    arrays.weight = take();
+    arrays.hold   = take();
+    weigh(lattice, 0, size_);
+  }
 
   for (std::ptrdiff_t p = 0; p < size_; ++p)
   {
@@ -52,9 +61,34 @@ LatticeState::LatticeState(const Lattice &lattice) :
   }
 }
 
-void LatticeState::zero(double *field) const
+void LatticeState::weigh(const Lattice &lattice, const std::ptrdiff_t first,
+                         const std::ptrdiff_t last)
 {
-  std::fill(field, field + size_, 0.);
+  for (std::ptrdiff_t p = first; p < last; ++p)
+    if (lattice.exists(p))
+    {
+      arrays.weight[p] = lattice.weight(p);
+      arrays.hold[p] =
+          lattice.kind(p) == PointKind::free ? 0. : std::numeric_limits<double>::infinity();
+    }
+}
+
+void LatticeState::follow_zone(const Lattice &lattice, const int first, const int last)
+{
+  const std::ptrdiff_t reach = lattice.stencil().reach;
+  const auto plane           = [&](const std::ptrdiff_t x)
+  {
+    return std::clamp<std::ptrdiff_t>((x - lattice.first_plane() + reach) * lattice.plane_stride(),
+                                      0, lattice.owned_end() + reach * lattice.plane_stride());
+  };
+  weigh(lattice, plane(first), plane(last));
+}
+
+void LatticeState::zero(const Lattice &lattice, double *field) const
+{
+  for (const auto &range : lattice.existing_ranges())
+    std::fill(field + range.first * Lattice::block_size, field + range.last * Lattice::block_size,
+              0.);
 }
 
 void LatticeState::mirror_motion(const Lattice &lattice)

@@ -18,6 +18,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -52,6 +54,8 @@ const std::vector<History::Column> history_columns{{"time", "us"},
                                                    {"energy elastic", "J"},
                                                    {"energy kinetic", "J"},
                                                    {"energy strain", "J"},
+                                                   {"energy hourglass", "J"},
+                                                   {"loss conversion", "J"},
                                                    {"energy contact", "J"},
                                                    {"energy debris", "J"},
                                                    {"work friction", "J"},
@@ -64,12 +68,25 @@ const std::vector<History::Column> history_columns{{"time", "us"},
 // was.
 constexpr double runaway_share = 0.25;
 
+/// Processor time of all ranks so far: what a run costs, also where others use the machine. [s]
+/// Collective.
+double cpu_seconds(const MPI_Comm communicator)
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval &t) { return t.tv_sec + 1e-6 * t.tv_usec; };
+  double sum         = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator);
+  return sum;
+}
+
 class Run
 {
 public:
   Run(const MPI_Comm communicator, const ParameterFile &file, const RunOptions &options) :
-    communicator_(communicator), file_(file), options_(options), scene_(read_scene(file)),
-    simulation_(communicator, scene_), watch_(simulation_), directory_(scene_.output.directory)
+    communicator_(communicator), start_cpu_seconds_(cpu_seconds(communicator)), file_(file),
+    options_(options), scene_(read_scene(file)), simulation_(communicator, scene_),
+    watch_(simulation_), directory_(scene_.output.directory)
   {
     MPI_Comm_size(communicator, &n_ranks_);
     prepare_result_directory(communicator, directory_, options.force);
@@ -175,6 +192,8 @@ private:
                       energies_.elastic,
                       energies_.kinetic,
                       energies_.strain,
+                      energies_.hourglass,
+                      energies_.conversion,
                       energies_.contact,
                       energies_.debris,
                       energies_.friction,
@@ -197,7 +216,8 @@ private:
   {
     while (next_frame_ <= simulation_.time())
       next_frame_ += scene_.output.frame_interval;
-    frames_->write(simulation_.time(), simulation_.points(), simulation_.surface());
+    frames_->write(simulation_.time(), simulation_.points(), simulation_.surface(),
+                   simulation_.elements());
   }
 
   double residual() const
@@ -237,11 +257,55 @@ private:
           simulation_.time() / us, deepest_);
   }
 
+  /// What the elements carried and how well they were tied to the points, per plate.
+  nlohmann::ordered_json zones() const
+  {
+    auto all = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < simulation_.plates().size(); ++i)
+    {
+      nlohmann::ordered_json z;
+      z["zone"]            = simulation_.zones()[i].reason;
+      const auto &far      = simulation_.far_fields()[i];
+      z["share_of_volume"] = far ? double(far->zone().n_free_cells()) /
+                                       static_cast<double>(far->zone().n_cells_in_all())
+                                 : 1.;
+      if (far)
+      {
+        const auto &watch      = *simulation_.zone_watches()[i];
+        z["elements"]          = far->elements().mesh().n_global_elements();
+        z["slaved_cells"]      = far->zone().n_slaved_cells();
+        z["ghost_force"]       = far->calibration().ghost_after;
+        z["conversions"]       = watch.n_conversions();
+        z["conversion_loss_J"] = watch.loss() * (scene_.symmetric ? 2. : 1.);
+        z["interface_reached_us"] =
+            watch.reached() >= 0. ? nlohmann::ordered_json(watch.reached() / us) : nullptr;
+      }
+      all.push_back(z);
+    }
+    return all;
+  }
+
+  /// Per plate, x from and to, y from and to, z from and to.
+  nlohmann::ordered_json damaged_boxes() const
+  {
+    auto boxes = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < simulation_.plates().size(); ++i)
+    {
+      const auto [low, high] = simulation_.damaged_box(i);
+      auto box               = nlohmann::ordered_json::array();
+      for (int d = 0; d < 3 && low[d] <= high[d]; ++d)
+        for (const double x : {low[d], high[d]})
+          box.push_back(std::round(1e3 * x / mm) / 1e3);
+      boxes.push_back(box);
+    }
+    return boxes;
+  }
+
   nlohmann::ordered_json finish(const Verdict &verdict, const bool failed)
   {
     const auto &motion        = simulation_.projectile().motion();
     const auto momenta        = simulation_.momenta();
-    const double core_seconds = elapsed() * n_ranks_;
+    const double core_seconds = cpu_seconds(communicator_) - start_cpu_seconds_;
     const auto drift          = [](const Vector3 &now, const Vector3 &start)
     { return (now - start).norm() / start.norm(); };
 
@@ -263,6 +327,8 @@ private:
     s["angular_momentum_drift"] = drift(momenta.angular, start_momenta_.angular);
     s["deepest_penetration_dx"] = deepest_;
     s["broken_bonds"]           = std::llround(broken_bonds_);
+    s["damaged_boxes_mm"]       = damaged_boxes();
+    s["zones"]                  = zones();
     s["points"]                 = std::llround(n_points_);
     s["bonds"]                  = std::llround(n_bonds_);
     s["steps"]                  = simulation_.step();
@@ -280,6 +346,7 @@ private:
   }
 
   MPI_Comm communicator_;
+  double start_cpu_seconds_;
   const ParameterFile &file_;
   RunOptions options_;
   Scene scene_;

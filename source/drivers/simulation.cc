@@ -3,6 +3,8 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/drivers/element_frame.h"
+#include "ricochet/dynamics/coupled_time_step.h"
 #include "ricochet/dynamics/stable_time_step.h"
 
 #include <cmath>
@@ -12,14 +14,6 @@ namespace ricochet
 {
 namespace
 {
-template <class Visitor>
-void for_each_owned(const Lattice &lattice, Visitor &&visit)
-{
-  for (std::ptrdiff_t p = lattice.owned_begin(); p < lattice.owned_end(); ++p)
-    if (lattice.owned(p))
-      visit(p);
-}
-
 Vector3 at(double *const field[3], const std::ptrdiff_t p)
 {
   return {field[0][p], field[1][p], field[2][p]};
@@ -39,10 +33,6 @@ std::string broadcast(const MPI_Comm communicator, std::string text, const int r
   return text;
 }
 
-int points_along(const double length, const double spacing)
-{
-  return std::max(1, static_cast<int>(std::lround(length / spacing)));
-}
 } // namespace
 
 double critical_stretch(const MaterialParameters &material, const Stencil &stencil)
@@ -88,9 +78,7 @@ void Simulation::build_plates()
     Lattice::Box box;
     box.spacing  = plate.spacing;
     box.mirror_y = scene_.symmetric;
-    box.n        = {points_along(plate.length, plate.spacing),
-                    points_along(plate.width / multiplicity_, plate.spacing),
-                    points_along(plate.thickness, plate.spacing)};
+    box.n        = lattice_points(scene_, plate);
     top -= i == 0 ? 0. : plate.gap;
     const double thickness = box.n[2] * plate.spacing;
     box.corner = {0., scene_.symmetric ? 0. : -0.5 * box.n[1] * plate.spacing, top - thickness};
@@ -100,8 +88,21 @@ void Simulation::build_plates()
     const PeridynamicMaterial bonds{&law, material.density, material.bulk_modulus,
                                     material.shear_modulus,
                                     ricochet::critical_stretch(material, stencil)};
+    zones_.push_back(plate_zone(scene_, plate, box, stencil));
+    auto &zone = zones_.back();
     plates_.push_back(std::make_unique<PeridynamicForce>(communicator_, static_cast<int>(i), box,
-                                                         stencil, bonds));
+                                                         stencil, bonds, Lattice::Mask{}, nullptr,
+                                                         zone.zone.get()));
+    far_fields_.push_back(nullptr);
+    zone_watches_.push_back(nullptr);
+    if (zone.zone == nullptr)
+      continue;
+    far_fields_.back() =
+        std::make_unique<FarField>(communicator_, *plates_.back(), *zone.zone, zone.options);
+    zone_watches_.back() = std::make_unique<ZoneWatch>(
+        communicator_, *far_fields_.back(),
+        ZoneWatch::Parameters{scene_.zone.conversion_stretch * bonds.critical_stretch,
+                              scene_.zone.adaptive, zone.growth_limit});
   }
 }
 
@@ -142,9 +143,12 @@ void Simulation::choose_time_step()
 {
   double largest  = 0.;
   time_step_info_ = {};
-  for (const auto &plate : plates_)
+  for (std::size_t i = 0; i < plates_.size(); ++i)
   {
-    const auto estimate  = estimate_largest_frequency(communicator_, *plate);
+    const auto &plate    = plates_[i];
+    const auto estimate  = far_fields_[i]
+                               ? estimate_largest_frequency(communicator_, *far_fields_[i])
+                               : estimate_largest_frequency(communicator_, *plate);
     const double spacing = plate->lattice().box().spacing;
     const double stiffness =
         scene_.contact.stiffness_factor * youngs_modulus(plate->material()) * spacing;
@@ -178,6 +182,8 @@ void Simulation::evaluate(const bool energy)
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     plates_[i]->update_ghosts();
+    if (zone_watches_[i] && zone_watches_[i]->update(time_, dt_))
+      plates_[i]->update_ghosts();
     plates_[i]->evaluate(/*breaking=*/true, energy);
     fractures_[i].record(dt_);
     const auto part = projectile_->touch(i, *plates_[i]);
@@ -192,6 +198,9 @@ void Simulation::evaluate(const bool energy)
         std::max(reaction_.deepest, part.deepest / plates_[i]->lattice().box().spacing);
   }
   debris_->evaluate(dt_);
+  for (const auto &far_field : far_fields_)
+    if (far_field)
+      far_field->evaluate(energy);
 }
 
 void Simulation::advance()
@@ -199,6 +208,11 @@ void Simulation::advance()
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     plates_[i]->advance(dt_, dt_);
+    if (far_fields_[i])
+    {
+      far_fields_[i]->advance(dt_, dt_);
+      far_fields_[i]->lead();
+    }
     projectile_->record_work(i, *plates_[i], dt_);
   }
   projectile_->advance(reaction_, dt_);
@@ -233,22 +247,20 @@ EnergyBalance Simulation::energies() const
   e.friction            = -projectile_->friction_work();
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
-    const auto &plate      = *plates_[i];
-    const Lattice &lattice = plate.lattice();
-    const auto &a          = plate.state().arrays;
-    PlaneSums<2> sums(lattice.box().n[0]);
-    for_each_owned(lattice,
-                   [&](const std::ptrdiff_t p)
-                   {
-                     const Vector3 v = at(a.velocity, p);
-                     auto &sum       = sums[lattice.plane_of(p)];
-                     sum[0] += 0.5 * plate.point_mass() *
-                               v.dot(v + dt_ / plate.point_mass() * at(a.force, p));
-                     sum[1] += a.energy[p];
-                   });
-    const auto sum = sums.total(communicator_);
-    e.kinetic += multiplicity_ * sum[0];
-    e.strain += multiplicity_ * sum[1];
+    if (far_fields_[i])
+    {
+      const auto sum = far_fields_[i]->energies(dt_);
+      e.kinetic += multiplicity_ * sum.kinetic;
+      e.strain += multiplicity_ * sum.strain;
+      e.hourglass += multiplicity_ * sum.hourglass;
+      e.conversion += multiplicity_ * zone_watches_[i]->loss();
+    }
+    else
+    {
+      const auto sum = plates_[i]->energies(dt_);
+      e.kinetic += multiplicity_ * sum.kinetic;
+      e.strain += multiplicity_ * sum.strain;
+    }
     e.fracture += fractures_[i].total(communicator_).energy;
   }
   return e;
@@ -258,29 +270,38 @@ MomentumBalance Simulation::momenta() const
 {
   const auto projectile = projectile_->momenta();
   MomentumBalance m{projectile.linear, projectile.angular};
-  for (const auto &plate : plates_)
+  for (std::size_t i = 0; i < plates_.size(); ++i)
   {
-    const Lattice &lattice = plate->lattice();
-    const auto &a          = plate->state().arrays;
-    PlaneSums<6> sums(lattice.box().n[0]);
-    for_each_owned(lattice,
-                   [&](const std::ptrdiff_t i)
-                   {
-                     const Vector3 linear  = plate->point_mass() * at(a.velocity, i);
-                     const Vector3 angular = at(a.position, i).cross(linear);
-                     for (int d = 0; d < 3; ++d)
-                     {
-                       sums[lattice.plane_of(i)][d] += linear[d];
-                       sums[lattice.plane_of(i)][3 + d] += angular[d];
-                     }
-                   });
-    const auto sum = sums.total(communicator_);
-    m.linear += multiplicity_ * Vector3(sum[0], sum[1], sum[2]);
-    m.angular += multiplicity_ * Vector3(sum[3], sum[4], sum[5]);
+    const auto sum = far_fields_[i] ? far_fields_[i]->momenta() : plates_[i]->momenta();
+    m.linear += multiplicity_ * sum.linear;
+    m.angular += multiplicity_ * sum.angular;
   }
   if (scene_.symmetric)
     m.linear.y() = m.angular.x() = m.angular.z() = 0.;
   return m;
+}
+
+std::pair<Vector3, Vector3> Simulation::damaged_box(const std::size_t plate) const
+{
+  // Lower corner and minus the upper one.
+  constexpr double largest = std::numeric_limits<double>::max();
+  std::array<double, 6> corners{largest, largest, largest, largest, largest, largest};
+  const auto &body       = *plates_[plate];
+  const Lattice &lattice = body.lattice();
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        if (!body.is_damaged(p))
+          return;
+        const Vector3 X = lattice.reference_position(lattice.coordinates(p));
+        for (int d = 0; d < 3; ++d)
+        {
+          corners[d]     = std::min(corners[d], X[d]);
+          corners[3 + d] = std::min(corners[3 + d], -X[d]);
+        }
+      });
+  MPI_Allreduce(MPI_IN_PLACE, corners.data(), 6, MPI_DOUBLE, MPI_MIN, communicator_);
+  return {{corners[0], corners[1], corners[2]}, {-corners[3], -corners[4], -corners[5]}};
 }
 
 double Simulation::broken_bonds() const
@@ -321,22 +342,52 @@ void Simulation::check_finite() const
   {
     const Lattice &lattice = plates_[i]->lattice();
     const auto &a          = plates_[i]->state().arrays;
-    for (std::ptrdiff_t p = lattice.owned_begin(); p < lattice.owned_end() && complaint.empty();
-         ++p)
-      for (const auto &[name, field] :
-           {std::pair<const char *, double *const *>{"position", a.position},
-            {"velocity", a.velocity},
-            {"force", a.force}})
-        if (complaint.empty() && lattice.owned(p) && !at(field, p).allFinite())
+    const std::array<std::pair<const char *, double *const *>, 3> fields{
+        {{"position", a.position}, {"velocity", a.velocity}, {"force", a.force}}};
+    // A sum that is finite has finite terms, and needs no branches.
+    double sum = 0.;
+    for (const auto &range : lattice.owned_ranges())
+      for (const auto &[name, field] : fields)
+        for (int d = 0; d < 3; ++d)
+          for (std::ptrdiff_t p = range.first * Lattice::block_size;
+               p < range.last * Lattice::block_size; ++p)
+            sum += 0. * field[d][p];
+    if (sum == 0.)
+      continue;
+    lattice.for_each_owned(
+        [&](const std::ptrdiff_t p)
         {
-          const auto c = lattice.coordinates(p);
-          std::ostringstream message;
-          message << "The " << name << " of point (" << c[0] << ", " << c[1] << ", " << c[2]
-                  << ") of plate " << i + 1 << " is not a number at " << 1e6 * time_ << " us (step "
-                  << step_ << "). Lower 'Time/Safety factor' or 'Contact/Stiffness factor'.";
-          complaint = message.str();
-        }
+          for (const auto &[name, field] : fields)
+            if (complaint.empty() && !at(field, p).allFinite())
+            {
+              const auto c = lattice.coordinates(p);
+              std::ostringstream message;
+              message << "The " << name << " of point (" << c[0] << ", " << c[1] << ", " << c[2]
+                      << ") of plate " << i + 1 << " is not a number at " << 1e6 * time_
+                      << " us (step " << step_
+                      << "). Lower 'Time/Safety factor' or 'Contact/Stiffness factor'.";
+              complaint = message.str();
+            }
+        });
   }
+  for (std::size_t i = 0; i < plates_.size() && complaint.empty(); ++i)
+    if (far_fields_[i])
+    {
+      const auto &elements = far_fields_[i]->elements();
+      for (int node = 0; node < elements.mesh().n_owned_nodes() && complaint.empty(); ++node)
+        for (const auto *field : {&elements.position(), &elements.velocity(), &elements.force()})
+          if (!Vector3((*field)[3 * node], (*field)[3 * node + 1], (*field)[3 * node + 2])
+                   .allFinite())
+          {
+            std::ostringstream message;
+            message << "The motion of the element node at ("
+                    << 1e3 * elements.mesh().reference_position(node).transpose()
+                    << ") mm of plate " << i + 1 << " is not a number at " << 1e6 * time_
+                    << " us (step " << step_
+                    << "). Lower 'Time/Safety factor' or choose another 'Coupling/Method'.";
+            complaint = message.str();
+          }
+    }
   int rank, bad;
   MPI_Comm_rank(communicator_, &rank);
   const int mine = complaint.empty() ? std::numeric_limits<int>::max() : rank;
@@ -355,19 +406,19 @@ std::string Simulation::describe_fastest_point() const
   } fastest{-1., 0};
   std::ostringstream text;
   for (std::size_t i = 0; i < plates_.size(); ++i)
-    for_each_owned(plates_[i]->lattice(),
-                   [&](const std::ptrdiff_t p)
-                   {
-                     if (const double speed = at(plates_[i]->state().arrays.velocity, p).norm();
-                         speed > fastest.speed)
-                     {
-                       const auto c  = plates_[i]->lattice().coordinates(p);
-                       fastest.speed = speed;
-                       text.str("");
-                       text << "Point (" << c[0] << ", " << c[1] << ", " << c[2] << ") of plate "
-                            << i + 1 << " is the fastest, at " << speed << " m/s.";
-                     }
-                   });
+    plates_[i]->lattice().for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          if (const double speed = at(plates_[i]->state().arrays.velocity, p).norm();
+              speed > fastest.speed)
+          {
+            const auto c  = plates_[i]->lattice().coordinates(p);
+            fastest.speed = speed;
+            text.str("");
+            text << "Point (" << c[0] << ", " << c[1] << ", " << c[2] << ") of plate " << i + 1
+                 << " is the fastest, at " << speed << " m/s.";
+          }
+        });
   MPI_Comm_rank(communicator_, &fastest.rank);
   MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator_);
   return broadcast(communicator_, text.str(), fastest.rank);
@@ -381,20 +432,29 @@ PointFrame Simulation::points() const
     const auto &plate      = *plates_[i];
     const Lattice &lattice = plate.lattice();
     const auto &a          = plate.state().arrays;
-    for_each_owned(lattice,
-                   [&](const std::ptrdiff_t p)
-                   {
-                     const auto c    = lattice.coordinates(p);
-                     const Vector3 x = at(a.position, p), X = lattice.reference_position(c);
-                     frame.position.push_back(x);
-                     frame.displacement.push_back(x - X);
-                     frame.velocity.push_back(at(a.velocity, p));
-                     frame.damage.push_back(plate.damage(p));
-                     frame.dilatation.push_back(a.theta[p]);
-                     frame.body.push_back(static_cast<int>(i) + 1);
-                     frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
-                   });
+    lattice.for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          const auto c    = lattice.coordinates(p);
+          const Vector3 x = at(a.position, p), X = lattice.reference_position(c);
+          frame.position.push_back(x);
+          frame.displacement.push_back(x - X);
+          frame.velocity.push_back(at(a.velocity, p));
+          frame.damage.push_back(plate.damage(p));
+          frame.dilatation.push_back(a.theta[p]);
+          frame.body.push_back(static_cast<int>(i) + 1);
+          frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
+        });
   }
+  return frame;
+}
+
+ElementFrame Simulation::elements() const
+{
+  ElementFrame frame;
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+    if (far_fields_[i])
+      add_elements(*far_fields_[i], static_cast<int>(i) + 1, frame);
   return frame;
 }
 } // namespace ricochet

@@ -24,7 +24,7 @@ public:
   {
     // The highest modes alternate from point to point; start near one, with a disturbance that is
     // the same for any number of ranks, so that all symmetry classes take part.
-    for_each_owned(
+    lattice_.for_each_owned(
         [&](const std::ptrdiff_t p)
         {
           const auto c = lattice_.coordinates(p);
@@ -39,7 +39,7 @@ public:
   double response() const
   {
     PlaneSums<1> sums(lattice_.box().n[0]);
-    for_each_owned(
+    lattice_.for_each_owned(
         [&](const std::ptrdiff_t p)
         {
           for (const double *f : a_.force)
@@ -52,7 +52,7 @@ public:
 
   void displace(const double norm)
   {
-    for_each_owned(
+    lattice_.for_each_owned(
         [&](const std::ptrdiff_t p)
         {
           const Vector3 x = reference(p);
@@ -69,7 +69,7 @@ public:
 
   void rest()
   {
-    for_each_owned(
+    lattice_.for_each_owned(
         [&](const std::ptrdiff_t p)
         {
           const Vector3 x = reference(p);
@@ -80,17 +80,10 @@ public:
           }
         });
     body_.update_ghosts();
-    body_.state().zero(a_.theta);
+    body_.state().zero(lattice_, a_.theta);
   }
 
 private:
-  template <class Visitor>
-  void for_each_owned(Visitor &&visit) const
-  {
-    for (std::ptrdiff_t p = lattice_.owned_begin(); p < lattice_.owned_end(); ++p)
-      if (lattice_.owned(p))
-        visit(p);
-  }
   Vector3 reference(const std::ptrdiff_t p) const
   {
     return lattice_.reference_position(lattice_.coordinates(p));

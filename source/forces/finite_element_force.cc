@@ -51,14 +51,22 @@ FiniteElementForce::FiniteElementForce(const MPI_Comm communicator, const HexMes
   if (kernel_ == nullptr)
     throw InputError(std::string("This processor does not have the instruction set '") +
                      options.instruction_set + "'.");
+  set_active(options.active);
+}
+
+void FiniteElementForce::set_active(const std::function<bool(const Vector3 &)> &active)
+{
+  active_.clear();
   for (const auto &element : mesh_.elements())
-    active_.push_back(!options.active || options.active(mesh_.centre(element)));
+    active_.push_back(!active || active(mesh_.centre(element)));
   set_stiffness({});
   lump_mass();
 }
 
 void FiniteElementForce::lump_mass()
 {
+  mass_.clear();
+  inverse_mass_.clear();
   std::vector<double> mass(force_.size(), 0.);
   for (std::size_t e = 0; e < active_.size(); ++e)
     if (active_[e])
@@ -78,6 +86,123 @@ void FiniteElementForce::lump_mass()
     if (mesh_.on_mirror_plane(node))
       fix(node, 1);
   }
+}
+
+void FiniteElementForce::set_consistent_mass(const std::vector<int> &elements)
+{
+  spread_       = elements;
+  spreads_mass_ = true;
+  // An owned node may be a corner of other ranks' elements only.
+  std::vector<double> touched(force_.size(), 0.);
+  for (const int e : spread_)
+    for (const int node : mesh_.elements()[e].nodes)
+      touched[3 * node] = 1.;
+  mesh_.add_to_owners(touched.data());
+  spread_nodes_.clear();
+  for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
+    if (touched[3 * node] > 0.)
+      spread_nodes_.push_back(node);
+  spread_force_.assign(3 * spread_nodes_.size(), 0.);
+  acceleration_.assign(force_.size(), 0.);
+  find_spread_momentum();
+}
+
+/// Adds (M_L - M_C) a of the elements of consistent mass. Along each axis the masses of two points
+/// in the middles of the halves of an edge couple its ends by (5 3; 3 5)/16.
+void FiniteElementForce::add_mass_difference(const std::vector<double> &acceleration,
+                                             std::vector<double> &force) const
+{
+  constexpr double near = 5. / 16., far = 3. / 16.;
+  for (const int e : spread_)
+  {
+    const auto &element = mesh_.elements()[e];
+    const double mass   = material_.density * element.edge * element.edge * element.edge;
+    for (int d = 0; d < 3; ++d)
+    {
+      double a[8], c[8];
+      for (int corner = 0; corner < 8; ++corner)
+        c[corner] = a[corner] = acceleration[3 * element.nodes[corner] + d];
+      for (const int axis : {1, 2, 4})
+        for (int corner = 0; corner < 8; ++corner)
+          if ((corner & axis) == 0)
+          {
+            const double low = c[corner], high = c[corner | axis];
+            c[corner]        = near * low + far * high;
+            c[corner | axis] = far * low + near * high;
+          }
+      for (int corner = 0; corner < 8; ++corner)
+        force[3 * element.nodes[corner] + d] += mass * (a[corner] / 8. - c[corner]);
+    }
+  }
+}
+
+void FiniteElementForce::correct_mass()
+{
+  if (!spreads_mass_)
+    return;
+  for (std::size_t i = 0; i < inverse_mass_.size(); ++i)
+    acceleration_[i] = force_[i] * inverse_mass_[i];
+  mesh_.update_ghosts(acceleration_.data());
+  for (std::size_t i = 0; i < spread_nodes_.size(); ++i)
+    for (int d = 0; d < 3; ++d)
+      spread_force_[3 * i + d] = force_[3 * spread_nodes_[i] + d];
+  // Ghost entries of the force are zero since it went to its owners.
+  add_mass_difference(acceleration_, force_);
+  mesh_.add_to_owners(force_.data());
+}
+
+/// Solves (2 M_L - M_C) y = M_L v by conjugate gradients, M_eff v = M_L y: all eigenvalues of the
+/// scaled matrix lie between 1 and 2.
+void FiniteElementForce::find_spread_momentum()
+{
+  const std::size_t n = inverse_mass_.size();
+  const auto product  = [&](const std::vector<double> &x, const std::vector<double> &y)
+  {
+    double sum = 0.;
+    for (std::size_t i = 0; i < n; ++i)
+      sum += x[i] * y[i];
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    return sum;
+  };
+  std::vector<double> y(force_.size(), 0.), residual(y), direction(y), image(y), scaled(y);
+  std::copy_n(velocity_.begin(), n, y.begin());
+  const auto apply = [&](std::vector<double> &x, std::vector<double> &result)
+  {
+    mesh_.update_ghosts(x.data());
+    std::fill(result.begin(), result.end(), 0.);
+    add_mass_difference(x, result);
+    mesh_.add_to_owners(result.data());
+    for (std::size_t i = 0; i < n; ++i)
+      result[i] = inverse_mass_[i] > 0. ? result[i] + mass_[i / 3] * x[i] : 0.;
+  };
+  apply(y, image);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    residual[i]  = inverse_mass_[i] > 0. ? mass_[i / 3] * velocity_[i] - image[i] : 0.;
+    direction[i] = scaled[i] = residual[i] * inverse_mass_[i];
+  }
+  double rho            = product(residual, scaled);
+  const double enough   = 1e-26 * rho;
+  constexpr int maximum = 60;
+  for (int iteration = 0; iteration < maximum && rho > enough; ++iteration)
+  {
+    apply(direction, image);
+    const double alpha = rho / product(direction, image);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      y[i] += alpha * direction[i];
+      residual[i] -= alpha * image[i];
+      scaled[i] = residual[i] * inverse_mass_[i];
+    }
+    const double next = product(residual, scaled), beta = next / rho;
+    rho = next;
+    for (std::size_t i = 0; i < n; ++i)
+      direction[i] = scaled[i] + beta * direction[i];
+  }
+  spread_momentum_.clear();
+  for (const int node : spread_nodes_)
+    for (int d = 0; d < 3; ++d)
+      spread_momentum_.push_back(mass_[node] * y[3 * node + d]);
 }
 
 void FiniteElementForce::set_stiffness(const std::vector<ElementStiffness> &stiffness)
@@ -173,6 +298,8 @@ void FiniteElementForce::evaluate(const bool energy)
 
 void FiniteElementForce::advance(const double kick, const double drift)
 {
+  for (std::size_t i = 0; i < spread_momentum_.size(); ++i)
+    spread_momentum_[i] += kick * spread_force_[i];
   kernel_->advance(position_.data(), velocity_.data(), force_.data(), inverse_mass_.data(),
                    static_cast<int64_t>(inverse_mass_.size()), kick, drift);
 }
@@ -180,12 +307,16 @@ void FiniteElementForce::advance(const double kick, const double drift)
 FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
 {
   std::array<double, 3> sums{};
+  const auto kinetic = [&](const int i, const double momentum)
+  { return 0.5 * momentum * (velocity_[i] + dt * force_[i] * inverse_mass_[i]); };
   for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
     for (int i = 3 * node; i < 3 * node + 3; ++i)
-    {
-      const double after = velocity_[i] + dt * force_[i] * inverse_mass_[i];
-      sums[0] += 0.5 * mass_[node] * velocity_[i] * after;
-    }
+      sums[0] += kinetic(i, mass_[node] * velocity_[i]);
+  for (std::size_t k = 0; k < spread_momentum_.size(); ++k)
+  {
+    const int node = spread_nodes_[k / 3], i = 3 * node + static_cast<int>(k % 3);
+    sums[0] += kinetic(i, spread_momentum_[k] - mass_[node] * velocity_[i]);
+  }
   for (const auto &group : groups_)
   {
     for (const double energy : group.strain_energy)
@@ -197,6 +328,19 @@ FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
   return {sums[0], sums[1], sums[2]};
 }
 
+double FiniteElementForce::squared_force() const
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < inverse_mass_.size(); ++i)
+    sum += force_[i] * force_[i] * inverse_mass_[i];
+  for (std::size_t k = 0; k < spread_force_.size(); ++k)
+  {
+    const std::size_t i = 3 * spread_nodes_[k / 3] + k % 3;
+    sum += (spread_force_[k] - force_[i]) * force_[i] * inverse_mass_[i];
+  }
+  return sum;
+}
+
 FiniteElementForce::Momenta FiniteElementForce::momenta() const
 {
   std::array<Vector3, 2> sums{Vector3::Zero(), Vector3::Zero()};
@@ -205,6 +349,14 @@ FiniteElementForce::Momenta FiniteElementForce::momenta() const
     const Vector3 linear = mass_[node] * at(velocity_, node);
     sums[0] += linear;
     sums[1] += at(position_, node).cross(linear);
+  }
+  for (std::size_t k = 0; k < spread_nodes_.size(); ++k)
+  {
+    const int node = spread_nodes_[k];
+    const Vector3 difference =
+        at(spread_momentum_, static_cast<int>(k)) - mass_[node] * at(velocity_, node);
+    sums[0] += difference;
+    sums[1] += at(position_, node).cross(difference);
   }
   for (auto &sum : sums)
     MPI_Allreduce(MPI_IN_PLACE, sum.data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);

@@ -2,7 +2,11 @@
 #include "ricochet/forces/peridynamic_force.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/discretization/plane_sums.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -30,10 +34,10 @@ int size_of(const MPI_Comm communicator)
 PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number,
                                    const Lattice::Box &box, const Stencil &stencil,
                                    const PeridynamicMaterial &material, const Lattice::Mask &mask,
-                                   const char *instruction_set) :
+                                   const char *instruction_set, const Zone *zone) :
   communicator_(communicator),
-  lattice_(box, stencil, rank_of(communicator), size_of(communicator), mask), state_(lattice_),
-  material_(material), halo_(communicator, lattice_, number),
+  lattice_(box, stencil, rank_of(communicator), size_of(communicator), mask, zone),
+  state_(lattice_), material_(material), halo_(communicator, lattice_, number),
   kernel_(lattice_kernel(material.law->index, instruction_set))
 {
   if (kernel_ == nullptr)
@@ -71,11 +75,97 @@ PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number
   initial_bonds_.assign(state_.arrays.bonds,
                         state_.arrays.bonds + lattice_.size() / Lattice::block_size * n);
   damaged_.assign(lattice_.size(), 0);
-  initial_family_.assign(lattice_.size(), 0);
-  for (std::ptrdiff_t p = lattice_.owned_begin(); p < lattice_.owned_end(); ++p)
-    if (lattice_.owned(p))
-      initial_family_[p] = static_cast<std::uint16_t>(family_size(p, state_.arrays.bonds));
   broken_.resize(lattice_.size() / Lattice::block_size * n);
+  set_families();
+  find_bond_ranges();
+}
+
+void PeridynamicForce::set_families()
+{
+  initial_family_.assign(lattice_.size(), 0);
+  lattice_.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      { initial_family_[p] = static_cast<std::uint16_t>(family_size(p, initial_bonds_.data())); });
+}
+
+void PeridynamicForce::find_bond_ranges()
+{
+  const std::size_t n    = shifts_.size();
+  const std::size_t last = lattice_.owned_end() / Lattice::block_size;
+  const double *hold     = state_.arrays.hold;
+  // Also points without bonds of their own in the forward half count: their dilatation has energy.
+  std::vector<std::uint8_t> free(last, 0), held(last, 0);
+  for (std::size_t block = 0; block < last; ++block)
+  {
+    const std::ptrdiff_t first = block * Lattice::block_size;
+    for (std::ptrdiff_t p = first; p < first + Lattice::block_size; ++p)
+      if (lattice_.exists(p) && lattice_.kind(p) != PointKind::contact)
+        (hold != nullptr && hold[p] > 0. ? held : free)[block] = 1;
+    for (std::size_t k = 0; k < n && hold != nullptr && !held[block]; ++k)
+      for (int lane = 0; lane < Lattice::block_size; ++lane)
+        if ((initial_bonds_[block * n + k] >> lane) & 1 && hold[first + lane + shifts_[k]] > 0.)
+          held[block] = 1;
+    free[block] &= !held[block];
+  }
+  free_ranges_ = ranges_of_blocks(free);
+  held_ranges_ = ranges_of_blocks(held);
+}
+
+void PeridynamicForce::follow_zone(const int first, const int last)
+{
+  lattice_.follow_zone(first, last);
+  state_.follow_zone(lattice_, first, last);
+  // Bonds of the planes below reach up into the changed ones.
+  const std::ptrdiff_t reach = lattice_.stencil().reach;
+  const auto block_of        = [&](const std::ptrdiff_t plane)
+  {
+    return std::clamp<std::ptrdiff_t>((plane - lattice_.first_plane() + reach) *
+                                          lattice_.plane_stride(),
+                                      0, lattice_.owned_end()) /
+           Lattice::block_size;
+  };
+  const std::int64_t from = block_of(first - reach), to = block_of(last);
+  const std::size_t n = shifts_.size();
+  auto bonds          = initial_bonds_;
+  lattice_.set_intact_bonds(from, to, bonds.data());
+  for (std::size_t i = from * n; i < to * n; ++i)
+    state_.arrays.bonds[i] |= bonds[i] & ~initial_bonds_[i];
+  initial_bonds_ = std::move(bonds);
+  set_families();
+  find_bond_ranges();
+}
+
+std::vector<std::ptrdiff_t>
+PeridynamicForce::points_stretched(const double stretch,
+                                   const std::vector<Lattice::BlockRange> &blocks)
+{
+  // The kernel breaks what is stretched in a copy; its log says what.
+  LatticeArrays copy = state_.arrays;
+  auto constants     = constants_;
+  for (auto &c : constants)
+    c.critical = stretch * c.length;
+  BondTable table = table_;
+  table.constants = constants.data();
+  watched_bonds_.resize(initial_bonds_.size());
+  watched_theta_.resize(lattice_.size());
+  copy.bonds = watched_bonds_.data();
+  copy.theta = watched_theta_.data();
+
+  std::vector<std::ptrdiff_t> points;
+  std::vector<BrokenBonds> log;
+  for (const auto &range : blocks)
+  {
+    const std::size_t n = shifts_.size() * (range.last - range.first);
+    std::copy_n(state_.arrays.bonds + range.first * shifts_.size(), n,
+                watched_bonds_.begin() + range.first * shifts_.size());
+    log.resize(n);
+    const auto n_log = kernel_->stretch_held(copy, table, range.first, range.last, log.data());
+    for (std::int64_t i = 0; i < n_log; ++i)
+      for (int lane = 0; lane < Lattice::block_size; ++lane)
+        if ((log[i].points >> lane) & 1)
+          points.push_back(static_cast<std::ptrdiff_t>(log[i].block) * Lattice::block_size + lane);
+  }
+  return points;
 }
 
 void PeridynamicForce::update_ghosts()
@@ -90,15 +180,23 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy)
 {
   // Bonds between a ghost and an owned point are visited on both ranks: the sums of owned points
   // are then complete, and made in the same order as on one rank, without sending anything home.
-  auto &a            = state_.arrays;
-  const int64_t last = lattice_.owned_end() / Lattice::block_size;
-  const auto &table  = breaking ? table_ : unbreakable_table_;
+  auto &a           = state_.arrays;
+  const auto &table = breaking ? table_ : unbreakable_table_;
 
   std::swap(a.theta, a.theta_before);
-  state_.zero(a.theta);
-  n_broken_ = static_cast<std::size_t>(kernel_->stretch(a, table, 0, last, broken_.data()));
+  state_.zero(lattice_, a.theta);
+  n_broken_             = 0;
+  const auto break_with = [&](const auto kernel, const std::vector<Lattice::BlockRange> &ranges)
+  {
+    for (const auto &range : ranges)
+      n_broken_ += static_cast<std::size_t>(
+          kernel(a, table, range.first, range.last, broken_.data() + n_broken_));
+  };
+  break_with(kernel_->stretch, free_ranges_);
+  break_with(kernel_->stretch_held, held_ranges_);
   if (material_.law->has_dilatation)
   {
+    weigh_dilatation();
     halo_.exchange({a.theta});
     state_.mirror_theta(lattice_);
   }
@@ -112,20 +210,87 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy)
       }
 
   for (double *f : a.force)
-    state_.zero(f);
+    state_.zero(lattice_, f);
   if (energy)
+    state_.zero(lattice_, a.energy);
+  const auto add_with = [&](const auto kernel, const std::vector<Lattice::BlockRange> &ranges)
   {
-    state_.zero(a.energy);
-    kernel_->force_and_energy(a, table, 0, last);
-  }
-  else
-    kernel_->force(a, table, 0, last);
+    for (const auto &range : ranges)
+      kernel(a, table, range.first, range.last);
+  };
+  add_with(energy ? kernel_->force_and_energy : kernel_->force, free_ranges_);
+  add_with(energy ? kernel_->weighted_force_and_energy : kernel_->weighted_force, held_ranges_);
+}
+
+/// From theta to w theta.
+void PeridynamicForce::weigh_dilatation()
+{
+  auto &a = state_.arrays;
+  if (a.weight == nullptr)
+    return;
+  for (const auto &range : lattice_.owned_ranges())
+    for (std::ptrdiff_t p = range.first * Lattice::block_size; p < range.last * Lattice::block_size;
+         ++p)
+      a.theta[p] *= a.weight[p];
 }
 
 void PeridynamicForce::advance(const double kick, const double drift)
 {
-  kernel_->advance(state_.arrays, lattice_.owned_begin() / Lattice::block_size,
-                   lattice_.owned_end() / Lattice::block_size, kick / mass_, drift);
+  for (const auto &range : lattice_.owned_ranges())
+    kernel_->advance(state_.arrays, range.first, range.last, kick / mass_, drift);
+}
+
+PeridynamicForce::Energies PeridynamicForce::energies(const double dt) const
+{
+  const auto &a = state_.arrays;
+  PlaneSums<2> sums(lattice_.box().n[0]);
+  lattice_.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        auto &sum = sums[lattice_.plane_of(p)];
+        if (lattice_.free(p))
+        {
+          const Vector3 v(a.velocity[0][p], a.velocity[1][p], a.velocity[2][p]),
+              f(a.force[0][p], a.force[1][p], a.force[2][p]);
+          sum[0] += 0.5 * mass_ * v.dot(v + dt / mass_ * f);
+        }
+        sum[1] += a.energy[p];
+      });
+  const auto sum = sums.total(communicator_);
+  return {sum[0], sum[1]};
+}
+
+PeridynamicForce::Momenta PeridynamicForce::momenta() const
+{
+  const auto &a = state_.arrays;
+  PlaneSums<6> sums(lattice_.box().n[0]);
+  lattice_.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        if (!lattice_.free(p))
+          return;
+        const Vector3 linear =
+            mass_ * Vector3(a.velocity[0][p], a.velocity[1][p], a.velocity[2][p]);
+        const Vector3 angular =
+            Vector3(a.position[0][p], a.position[1][p], a.position[2][p]).cross(linear);
+        for (int d = 0; d < 3; ++d)
+        {
+          sums[lattice_.plane_of(p)][d] += linear[d];
+          sums[lattice_.plane_of(p)][3 + d] += angular[d];
+        }
+      });
+  const auto sum = sums.total(communicator_);
+  return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}};
+}
+
+std::vector<double> PeridynamicForce::dilatation_history() const
+{
+  return {state_.arrays.theta, state_.arrays.theta + lattice_.size()};
+}
+
+void PeridynamicForce::restore_dilatation(const std::vector<double> &history)
+{
+  std::copy(history.begin(), history.end(), state_.arrays.theta);
 }
 
 int PeridynamicForce::family_size(const std::ptrdiff_t index, const std::uint8_t *bonds) const
@@ -143,9 +308,8 @@ int PeridynamicForce::family_size(const std::ptrdiff_t index, const std::uint8_t
 double PeridynamicForce::count_bonds() const
 {
   double ends = 0.;
-  for (std::ptrdiff_t p = lattice_.owned_begin(); p < lattice_.owned_end(); ++p)
-    if (lattice_.owned(p))
-      ends += family_size(p, state_.arrays.bonds);
+  lattice_.for_each_owned([&](const std::ptrdiff_t p)
+                          { ends += family_size(p, state_.arrays.bonds); });
   MPI_Allreduce(MPI_IN_PLACE, &ends, 1, MPI_DOUBLE, MPI_SUM, communicator_);
   return ends / 2.;
 }
@@ -155,10 +319,5 @@ double PeridynamicForce::damage(const std::ptrdiff_t index) const
   if (initial_family_[index] == 0 || !damaged_[index])
     return 0.;
   return 1. - double(family_size(index, state_.arrays.bonds)) / initial_family_[index];
-}
-
-bool PeridynamicForce::is_surface(const std::ptrdiff_t index) const
-{
-  return initial_family_[index] < 2 * shifts_.size();
 }
 } // namespace ricochet

@@ -2,6 +2,7 @@
 #include "ricochet/scene/declarations.h"
 
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/coupling/coupling_method.h"
 #include "ricochet/forces/contact_search.h"
 #include "ricochet/materials/bond_laws.h"
 #include "ricochet/materials/influence_function.h"
@@ -71,6 +72,14 @@ std::vector<std::string> influence_function_names()
   std::vector<std::string> names;
   for (const auto &function : influence_functions)
     names.push_back(function.name);
+  return names;
+}
+
+std::vector<std::string> coupling_method_names()
+{
+  std::vector<std::string> names;
+  for (const auto &method : coupling_methods)
+    names.push_back(method.name);
   return names;
 }
 
@@ -165,7 +174,15 @@ SectionDeclaration plate(const unsigned int number)
            required("Material", text("the NAME of a section 'Material NAME'"), "PMMA",
                     "Material of the plate"),
            with_default("Gap", quantity(Dimension::length, Limit::not_negative), "0 mm",
-                        "Distance to the plate above; 0 for the first plate")},
+                        "Distance to the plate above; 0 for the first plate"),
+           optional("Zone box",
+                    quantity(Dimension::length, Limit::any, {"x from", "x to", "y from", "y to"}),
+                    "30 mm, 170 mm, -24 mm, 24 mm",
+                    "With 'Coupling/Zone = boxes', the column through the plate that is "
+                    "peridynamic"),
+           optional("Zone box 2",
+                    quantity(Dimension::length, Limit::any, {"x from", "x to", "y from", "y to"}),
+                    "30 mm, 170 mm, -24 mm, 24 mm", "Another such column")},
           {}};
 }
 
@@ -192,6 +209,46 @@ SectionDeclaration material(const std::string &name)
                     "Instead of the critical stretch, the energy that a unit of crack area takes")},
           {{{{"Bulk modulus", "Shear modulus"}, {"Young's modulus", "Poisson's ratio"}}},
            {{{"Critical stretch"}, {"Energy release rate"}}}}};
+}
+
+SectionDeclaration coupling()
+{
+  return {
+      "Coupling",
+      "Peridynamics only where it breaks: which part of the plates is peridynamic (the zone), and "
+      "how the finite elements around it are tied to it.",
+      {with_default("Zone", choice({"everything", "automatic", "boxes", "none"}), "everything",
+                    "Part of the plates that is peridynamic: everything, the corridor that the "
+                    "impact will damage, the boxes given with the plates, or none (elastic finite "
+                    "elements alone)"),
+       with_default("Adaptive", flag(), "false",
+                    "Whether the zone grows ahead of damage; an automatic zone then starts small, "
+                    "around the entry point"),
+       with_default(
+           "Growth", choice({"corridor", "plate"}), "corridor",
+           "How far an adaptive zone may grow: in the corridor that decides the impact, or "
+           "in the whole plate after every crack, which is dear"),
+       with_default("Conversion stretch", quantity(Dimension::number, Limit::fraction), "0.5",
+                    "Stretch of a bond near the interface, in critical stretches, at which an "
+                    "adaptive zone grows; a fixed one is reported as reached"),
+       with_default("Method", choice(coupling_method_names()), "calibrated energy blend",
+                    "What ties points and elements together"),
+       with_default("Blend function", choice({"linear", "cubic"}), "cubic",
+                    "Fall of the weight over the blend; of the energy and force blends only"),
+       with_default("Blend width", quantity(Dimension::number, Limit::positive), "2",
+                    "Width of the blend in horizons; of the energy and force blends only"),
+       with_default("Mass correction", flag(), "true",
+                    "Whether the elements next to the zone get their consistent mass, to first "
+                    "order: waves pass the interface better"),
+       with_default("Coarsening levels", choice({"automatic", "0", "1", "2"}), "automatic",
+                    "How often the elements double their size away from the zone; automatic: as "
+                    "often as the number of points allows, at most twice"),
+       with_default("Quadrature", choice({"one point", "full"}), "one point",
+                    "Integration of the far elements: one point with hourglass control, or 2 x 2 x "
+                    "2 points"),
+       with_default("Hourglass coefficient", quantity(Dimension::number, Limit::not_negative), "1",
+                    "Stiffness of the hourglass modes; 1 gives pure bending its exact energy")},
+      {}};
 }
 
 SectionDeclaration contact()
@@ -273,6 +330,7 @@ std::vector<SectionDeclaration> scene_declarations(const std::string &stem,
     sections.push_back(plate(number));
   for (const auto &name : materials)
     sections.push_back(material(name));
+  sections.push_back(coupling());
   sections.push_back(contact());
   sections.push_back(time());
   sections.push_back(output(stem));

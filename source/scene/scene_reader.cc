@@ -210,6 +210,22 @@ PlateParameters read_plate(const Parameters &parameters, const std::string &in,
     if (choice.name == parameters.text(in, "Influence function"))
       plate.influence_function = choice.function;
 
+  for (const std::string entry : {"Zone box", "Zone box 2"})
+    if (parameters.is_given(in, entry))
+    {
+      const auto box = parameters.quantities(in, entry);
+      if (box[0] >= box[1] || box[2] >= box[3] || box[0] >= plate.length || box[1] <= 0. ||
+          box[2] >= plate.width / 2. || box[3] <= -plate.width / 2.)
+        parameters.fail(in, entry, "The box is empty or misses the plate.",
+                        "x lies between 0 mm and " + in_mm(plate.length) + ", y between -" +
+                            in_mm(plate.width / 2.) + " and " + in_mm(plate.width / 2.) +
+                            ", from below to.");
+      plate.zone_boxes.push_back({box[0], box[1], box[2], box[3]});
+    }
+  if (parameters.text("Coupling", "Zone") == "boxes" && plate.zone_boxes.empty())
+    parameters.fail("Coupling", "Zone", "The section '" + in + "' has no 'Zone box'.",
+                    "Give one for every plate, as 'set Zone box = 30 mm, 170 mm, -24 mm, 24 mm'.");
+
   if (plate.horizon_ratio < 2.)
     parameters.fail(in, "Horizon ratio",
                     "A horizon under 2 spacings does not hold a plate together.",
@@ -331,6 +347,41 @@ MaterialParameters read_material(const Parameters &parameters, const std::string
   return material;
 }
 
+ZoneParameters read_zone(const Parameters &parameters)
+{
+  const std::string in = "Coupling";
+  ZoneParameters zone;
+  const std::map<std::string, ZoneKind> kinds{{"everything", ZoneKind::everything},
+                                              {"automatic", ZoneKind::automatic},
+                                              {"boxes", ZoneKind::boxes},
+                                              {"none", ZoneKind::none}};
+  zone.kind               = kinds.at(parameters.text(in, "Zone"));
+  zone.adaptive           = parameters.flag(in, "Adaptive");
+  zone.grows_everywhere   = zone.adaptive && parameters.text(in, "Growth") == "plate";
+  zone.conversion_stretch = parameters.quantity(in, "Conversion stretch");
+  for (const auto &method : coupling_methods)
+    if (method.name == parameters.text(in, "Method"))
+      zone.coupling.method = method.method;
+  zone.coupling.blend = parameters.text(in, "Blend function") == "linear" ? BlendFunction::linear
+                                                                          : BlendFunction::cubic;
+  zone.coupling.blend_width  = parameters.quantity(in, "Blend width");
+  zone.coupling.correct_mass = parameters.flag(in, "Mass correction");
+  const std::string levels   = parameters.text(in, "Coarsening levels");
+  zone.coarsening_levels     = levels == "automatic" ? -1 : std::stoi(levels);
+  zone.full_quadrature       = parameters.text(in, "Quadrature") == "full";
+  zone.hourglass_coefficient = parameters.quantity(in, "Hourglass coefficient");
+
+  if (zone.adaptive && (zone.kind == ZoneKind::everything || zone.kind == ZoneKind::none))
+    parameters.fail(in, "Adaptive",
+                    "There is no zone that could grow: the zone is '" +
+                        parameters.text(in, "Zone") + "'.",
+                    "Choose 'set Zone = automatic' or 'boxes', or 'set Adaptive = false'.");
+  if (zone.coupling.blend_width > 10.)
+    parameters.fail(in, "Blend width", "The blend may be at most 10 horizons wide.",
+                    "Choose a smaller number; 2 is usual.");
+  return zone;
+}
+
 ContactParameters read_contact(const Parameters &parameters)
 {
   const std::string in = "Contact";
@@ -378,6 +429,7 @@ Scene read_scene(const ParameterFile &file)
       scene.materials.push_back(read_material(parameters, section.name));
   scene.plates  = read_plates(parameters, scene.symmetric, scene.materials);
   scene.impact  = read_impact(parameters, scene.symmetric, scene.plates.front());
+  scene.zone    = read_zone(parameters);
   scene.contact = read_contact(parameters);
   scene.time    = read_time(parameters);
   scene.output  = read_output(parameters);

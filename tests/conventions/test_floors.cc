@@ -24,11 +24,12 @@ const std::map<std::string, std::set<std::string>> may_include{
     {"contact", {"base", "geometry"}},
     {"discretization", {"base", "geometry", "kernels", "materials"}},
     {"forces", {"base", "contact", "discretization", "geometry", "kernels", "materials"}},
-    {"dynamics", {"base", "discretization", "forces", "geometry"}},
+    {"coupling", {"base", "discretization", "forces", "geometry"}},
+    {"dynamics", {"base", "coupling", "discretization", "forces", "geometry"}},
     {"output", {"base", "discretization", "dynamics", "forces", "geometry"}},
-    {"scene", {"base", "contact", "forces", "geometry", "materials"}},
+    {"scene", {"base", "contact", "coupling", "forces", "geometry", "materials"}},
     {"drivers",
-     {"base", "contact", "discretization", "dynamics", "forces", "geometry", "kernels", "materials",
+     {"base", "contact", "coupling", "discretization", "dynamics", "forces", "geometry", "kernels", "materials",
       "output", "scene"}}};
 
 struct Include

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mpi.h>
 #include <vector>
@@ -34,6 +35,9 @@ public:
     std::array<int, 3> n;        // largest cubes along x, y, z
     bool mirror_y;               // symmetry plane at the corner's y
     std::vector<Region> regions; // to refine
+    /// Cost of a cube with this centre and edge, relative to others, by which cubes are shared
+    /// among the ranks; empty: all cost the same.
+    std::function<unsigned int(const Vector3 &, double)> cost = {};
   };
   struct Element
   {
@@ -66,7 +70,11 @@ public:
   std::int64_t n_global_nodes() const { return n_global_nodes_; }         // hanging ones included
   std::int64_t n_global_elements() const { return n_global_elements_; }
   std::int64_t first_owned_node() const { return first_owned_node_; } // its global number
-  Vector3 reference_position(const int node) const                    // [m]
+  std::int64_t global_node(const int node) const
+  {
+    return node < n_owned_nodes_ ? first_owned_node_ + node : ghosts_[node - n_owned_nodes_];
+  }
+  Vector3 reference_position(const int node) const // [m]
   {
     return {reference_[3 * node], reference_[3 * node + 1], reference_[3 * node + 2]};
   }
@@ -98,6 +106,7 @@ private:
   int n_owned_nodes_           = 0;
   std::int64_t n_global_nodes_ = 0, n_global_elements_ = 0, first_owned_node_ = 0;
   std::vector<double> reference_;
+  std::vector<std::int64_t> ghosts_; // global numbers
   std::vector<Element> elements_;
   HangingNodes hanging_;
   std::unique_ptr<Exchange> exchange_;

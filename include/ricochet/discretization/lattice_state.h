@@ -17,7 +17,12 @@ public:
 
   LatticeArrays arrays; // into the storage below
 
-  void zero(double *field) const; // one of arrays' fields
+  /// One of arrays' fields, where points exist.
+  void zero(const Lattice &lattice, double *field) const;
+
+  /// After the lattice has followed its zone: points of the planes first <= x < last take their
+  /// weight.
+  void follow_zone(const Lattice &lattice, int first, int last);
 
   /// Images across y = 0 take over position and velocity, or dilatation, of their originals.
   void mirror_motion(const Lattice &lattice);
@@ -28,6 +33,8 @@ private:
   {
     void operator()(double *p) const;
   };
+  void weigh(const Lattice &lattice, std::ptrdiff_t first, std::ptrdiff_t last);
+
   std::ptrdiff_t size_;
   std::unique_ptr<double[], Free> storage_;
   std::vector<std::uint8_t> bonds_;

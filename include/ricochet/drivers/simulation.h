@@ -5,7 +5,9 @@
 //   dt/m;  x += v dt
 #pragma once
 
+#include "ricochet/drivers/plate_zone.h"
 #include "ricochet/drivers/projectile.h"
+#include "ricochet/drivers/zone_watch.h"
 #include "ricochet/forces/debris_contact.h"
 #include "ricochet/forces/fracture_energy.h"
 
@@ -17,7 +19,9 @@ struct EnergyBalance
   double projectile; // kinetic
   double elastic;    // in a deformable projectile
   double kinetic;    // of the plates
-  double strain;     // in intact bonds
+  double strain;     // in intact bonds and elements
+  double hourglass;  // in the hourglass modes of one-point elements
+  double conversion; // lost where elements became points
   double contact;    // in the penalty springs between projectile and plates
   double debris;     // in the repulsion of debris
   double friction;   // turned into heat between projectile and plates
@@ -26,8 +30,8 @@ struct EnergyBalance
 
   double residual() const
   {
-    return initial - projectile - elastic - kinetic - strain - contact - debris - friction -
-           fracture;
+    return initial - projectile - elastic - kinetic - strain - hourglass - conversion - contact -
+           debris - friction - fracture;
   }
 };
 
@@ -63,6 +67,11 @@ public:
     return reaction_;
   } // of all plates, at the last evaluate()
   const std::vector<std::unique_ptr<PeridynamicForce>> &plates() const { return plates_; }
+  /// Per plate; null if it is peridynamic throughout.
+  const std::vector<std::unique_ptr<FarField>> &far_fields() const { return far_fields_; }
+  const std::vector<PlateZone> &zones() const { return zones_; } // per plate
+  /// Per plate; null if it is peridynamic throughout.
+  const std::vector<std::unique_ptr<ZoneWatch>> &zone_watches() const { return zone_watches_; }
   const MaterialParameters &material(std::size_t plate) const;
   double critical_stretch(std::size_t plate) const; // [-]
 
@@ -75,8 +84,11 @@ public:
   /// Of the half step before the present time. Collective.
   MomentumBalance momenta() const;
   double broken_bonds() const; // each once, both halves; collective
-  double n_points() const;     // of the full or half model as computed; collective
-  double n_bonds() const;      // intact now, of the half model as computed; collective
+  /// Box around the damaged points of a plate in the reference configuration, of the model as
+  /// computed [m]; low > high if there are none. Collective.
+  std::pair<Vector3, Vector3> damaged_box(std::size_t plate) const;
+  double n_points() const; // of the full or half model as computed; collective
+  double n_bonds() const;  // intact now, of the half model as computed; collective
 
   /// Throws RunError naming point, field and time if a field of this or another rank is not finite.
   /// Collective.
@@ -86,6 +98,7 @@ public:
 
   PointFrame points() const; // owned by this rank
   SurfaceFrame surface() const { return projectile_->surface(); }
+  ElementFrame elements() const; // owned by this rank
 
   /// What limits the step, for the user.
   struct TimeStepInfo
@@ -106,7 +119,10 @@ private:
   MPI_Comm communicator_;
   Scene scene_;
   double multiplicity_; // 2 with a symmetry plane
+  std::vector<PlateZone> zones_;
   std::vector<std::unique_ptr<PeridynamicForce>> plates_;
+  std::vector<std::unique_ptr<FarField>> far_fields_;
+  std::vector<std::unique_ptr<ZoneWatch>> zone_watches_;
   std::vector<FractureEnergy> fractures_; // per plate
   std::unique_ptr<DebrisContact> debris_;
   std::unique_ptr<FrictionLaw> friction_law_;

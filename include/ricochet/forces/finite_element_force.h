@@ -79,6 +79,16 @@ public:
   /// moduli, whatever was set before. Elements that are not active are left out.
   void set_stiffness(const std::vector<ElementStiffness> &stiffness);
 
+  /// Elements for whose centre this is false carry neither force nor mass from now on; all others
+  /// do, with the material's moduli until set_stiffness(). Masses are lumped anew. Collective.
+  void set_active(const std::function<bool(const Vector3 &)> &active);
+
+  /// The mass of these elements acts as if it sat in the centres of their eight sub-cubes and not
+  /// in the corners, to first order: correct_mass() adds M_L^-1 (f - M_C a) to a = M_L^-1 f. The
+  /// sum of all forces stays as it is, because the rows of both mass matrices have the same sums.
+  /// Collective.
+  void set_consistent_mass(const std::vector<int> &elements);
+
   /// The node keeps its velocity along this axis, zero unless set otherwise; its force is then the
   /// reaction. `node` is local; on ranks that do not own it the call does nothing.
   void fix(int node, int component);
@@ -90,6 +100,9 @@ public:
   /// Overwrites `force` of owned nodes with the internal force; positions of ghosts must be up to
   /// date. With `energy`, also each element's energies. Collective.
   void evaluate(bool energy);
+
+  /// Call when all forces are there and before advance(). Collective.
+  void correct_mass();
 
   /// Kick and drift of the owned nodes: v += f kick/m, x += v drift; both in s, equal but in a
   /// first half step.
@@ -122,6 +135,9 @@ public:
     return inverse_mass_[3 * node + component];
   }
 
+  /// f M_eff^-1 f over this rank's nodes, after correct_mass() [N^2/kg].
+  double squared_force() const;
+
   bool is_active(const int element) const { return place_[element].group >= 0; }
   /// Of the last evaluate(true); zero if not active [J].
   double strain_energy(int element) const;
@@ -146,6 +162,9 @@ private:
   };
 
   void lump_mass();
+  void add_mass_difference(const std::vector<double> &acceleration,
+                           std::vector<double> &force) const;
+  void find_spread_momentum();
   void fill(Group &group) const;
   HexGroup view(const Group &group) const;
 
@@ -158,6 +177,13 @@ private:
   std::vector<Place> place_;    // of each element
   std::vector<char> active_;
   std::vector<double> position_, velocity_, force_;
+  bool spreads_mass_ = false;     // the same on all ranks
+  std::vector<int> spread_;       // elements of consistent mass
+  std::vector<int> spread_nodes_; // owned nodes among their corners
+  // Per component of spread_nodes_: the force before its correction [N], and M_eff v, where
+  // M_eff^-1 is the corrected inverse: what the forces have added up to [kg m/s].
+  std::vector<double> spread_force_, spread_momentum_;
+  std::vector<double> acceleration_; // workspace
   std::vector<double> mass_;         // per owned node
   std::vector<double> inverse_mass_; // per component of owned nodes
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The internal force of one peridynamic body: bonds broken first, then dilatation, then forces,
-// with the halo and the mirror images kept up to date. Owns the body's lattice and state.
+// with the halo and the mirror images kept up to date. Owns the body's lattice and state. With a
+// zone only the points in and around it exist; those around it are slaved: somebody else
+// (coupling/) sets their motion and collects their forces.
 #pragma once
 
 #include "ricochet/discretization/halo.h"
@@ -25,11 +27,13 @@ class PeridynamicForce
 {
 public:
   /// Collective. `number` of the body, from 0, keeps the messages of several bodies apart.
-  /// `instruction_set` as in lattice_kernel(). Throws InputError if the processor lacks it or if
-  /// the law cannot represent the moduli.
+  /// `instruction_set` as in lattice_kernel(). The zone, if any, must outlive this object. Throws
+  /// InputError if the processor lacks the instruction set or if the law cannot represent the
+  /// moduli.
   PeridynamicForce(MPI_Comm communicator, int number, const Lattice::Box &box,
                    const Stencil &stencil, const PeridynamicMaterial &material,
-                   const Lattice::Mask &mask = {}, const char *instruction_set = nullptr);
+                   const Lattice::Mask &mask = {}, const char *instruction_set = nullptr,
+                   const Zone *zone = nullptr);
   PeridynamicForce(const PeridynamicForce &)            = delete;
   PeridynamicForce &operator=(const PeridynamicForce &) = delete;
 
@@ -41,9 +45,34 @@ public:
   /// must be up to date. With `energy`, also each point's strain energy. Collective.
   void evaluate(bool breaking, bool energy);
 
-  /// Kick and drift of the owned points: v += f kick/m, x += v drift; both in s, equal but in a
+  /// After the zone has grown by cells whose layers have changed between the planes first <= x <
+  /// last (global): new points and bonds appear, at rest in the reference configuration, and slaved
+  /// ones become free. What is broken stays broken.
+  void follow_zone(int first, int last);
+
+  /// Kick and drift of the free points: v += f kick/m, x += v drift; both in s, equal but in a
   /// first half step.
   void advance(double kick, double drift);
+
+  struct Energies // of this body as computed, without the mirrored half [J]
+  {
+    double kinetic, strain;
+  };
+  struct Momenta
+  {
+    Vector3 linear;  // [kg m/s]
+    Vector3 angular; // about the origin [kg m^2/s]
+  };
+  /// At the present time, where velocities are those of half a step before: kinetic energy is 1/2 m
+  /// v- . v+, of free points. After evaluate() with energies and all forces, before advance().
+  /// Collective.
+  Energies energies(double dt) const;
+  /// Of the free points, half a step before the present time. Collective.
+  Momenta momenta() const;
+
+  /// The dilatation of the last evaluate(), to be put back after others that are not steps.
+  std::vector<double> dilatation_history() const;
+  void restore_dilatation(const std::vector<double> &history);
 
   const Lattice &lattice() const { return lattice_; }
   LatticeState &state() { return state_; }
@@ -61,18 +90,32 @@ public:
   /// Bonds of the body; each counted once, over all ranks, a mirrored one half. Collective, slow.
   double count_bonds() const;
 
+  /// Owned points with an intact bond stretched beyond `stretch` [-] among the blocks given, each
+  /// perhaps several times: a look ahead, nothing breaks.
+  std::vector<std::ptrdiff_t> points_stretched(double stretch,
+                                               const std::vector<Lattice::BlockRange> &blocks);
+
   /// Calls visit(p, q, k) for every broken bond k from point p to q, in ascending order.
   template <class Visitor>
   void for_each_broken_bond(Visitor &&visit) const;
 
+  /// The zone's cell of a point of the lattice; images belong to their original's.
+  Zone::Cell cell_of(const std::ptrdiff_t index) const
+  {
+    const auto c = lattice_.coordinates(index);
+    return {c[0] / Zone::points_per_edge, (c[1] < 0 ? -1 - c[1] : c[1]) / Zone::points_per_edge,
+            c[2] / Zone::points_per_edge};
+  }
+
   /// Damage of an owned point: share of its family that is broken [-].
   double damage(std::ptrdiff_t index) const;
   bool is_damaged(const std::ptrdiff_t index) const { return damaged_[index]; }
-  /// Fewer neighbours than in the bulk at the start: lies on a surface.
-  bool is_surface(std::ptrdiff_t index) const;
 
 private:
   int family_size(std::ptrdiff_t index, const std::uint8_t *bonds) const;
+  void set_families();
+  void find_bond_ranges();
+  void weigh_dilatation();
 
   MPI_Comm communicator_;
   Lattice lattice_;
@@ -86,8 +129,12 @@ private:
   BondTable table_, unbreakable_table_;
   std::vector<std::uint8_t> initial_bonds_;
   std::vector<std::uint16_t> initial_family_; // bonds of each owned point at the start
+  // Blocks with bonds: of free points alone, and with slaved ones.
+  std::vector<Lattice::BlockRange> free_ranges_, held_ranges_;
   std::vector<char> damaged_;
   std::vector<BrokenBonds> broken_;
+  std::vector<std::uint8_t> watched_bonds_; // workspace of points_stretched()
+  std::vector<double> watched_theta_;
   std::size_t n_broken_ = 0;
 };
 

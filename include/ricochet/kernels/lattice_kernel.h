@@ -21,7 +21,10 @@ struct LatticeArrays
   double *theta_before; // the same one step ago [-]
   double *energy;       // strain energy of the point [J], only if asked for
   uint8_t *bonds;       // one bit per bond, see Lattice::intact_bonds
-  const uint8_t *owned; // one bit per point
+  const uint8_t *free;  // one bit per point that moves by its own force
+  // Near an interface to finite elements only, else null:
+  double *weight; // share of a point's energy that counts [-]
+  double *hold;   // 0 for free points; infinite for others, whose bonds do not break [m]
 };
 
 struct BondTable
@@ -49,6 +52,9 @@ struct LatticeKernel
   /// written.
   int64_t (*stretch)(const LatticeArrays &, const BondTable &, int64_t first_block,
                      int64_t last_block, BrokenBonds *log);
+  /// The same, but breaks only bonds between points that `hold` nothing.
+  int64_t (*stretch_held)(const LatticeArrays &, const BondTable &, int64_t first_block,
+                          int64_t last_block, BrokenBonds *log);
 
   /// Adds bond forces to both ends; `force` must be zero before, theta complete.
   void (*force)(const LatticeArrays &, const BondTable &, int64_t first_block, int64_t last_block);
@@ -57,7 +63,14 @@ struct LatticeKernel
   void (*force_and_energy)(const LatticeArrays &, const BondTable &, int64_t first_block,
                            int64_t last_block);
 
-  /// Kick and drift of owned points: v += f dt/m, x += v dt.
+  /// The same two where points have a weight w: a bond has the mean of its ends', and theta stands
+  /// for w theta.
+  void (*weighted_force)(const LatticeArrays &, const BondTable &, int64_t first_block,
+                         int64_t last_block);
+  void (*weighted_force_and_energy)(const LatticeArrays &, const BondTable &, int64_t first_block,
+                                    int64_t last_block);
+
+  /// Kick and drift of free points: v += f dt/m, x += v dt.
   void (*advance)(const LatticeArrays &, int64_t first_block, int64_t last_block,
                   double dt_over_mass, double dt);
 };

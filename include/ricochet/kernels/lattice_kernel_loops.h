@@ -24,7 +24,7 @@ inline unsigned int lane_bits(const uint8_t bits, const int lane)
   return (bits >> lane) & ((1u << lanes) - 1);
 }
 
-template <class Law>
+template <class Law, bool held>
 int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t first,
                 const int64_t last, BrokenBonds *log)
 {
@@ -46,11 +46,14 @@ int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t fi
         const int64_t q        = p + table.shift[k];
         const BondConstants &c = table.constants[k];
         const V dx = Simd::load(x + q) - px, dy = Simd::load(y + q) - py,
-                dz     = Simd::load(z + q) - pz;
-        const V r2     = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
-        const V e      = Simd::fma(r2, Simd::inverse_sqrt(r2), -Simd::set(c.length));
-        M alive        = Simd::mask(bits);
-        const M broken = Simd::greater(e, Simd::set(c.critical), alive);
+                dz = Simd::load(z + q) - pz;
+        const V r2 = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
+        const V e  = Simd::fma(r2, Simd::inverse_sqrt(r2), -Simd::set(c.length));
+        M alive    = Simd::mask(bits);
+        V limit    = Simd::set(c.critical);
+        if constexpr (held)
+          limit = limit + (Simd::load(a.hold + p) + Simd::load(a.hold + q));
+        const M broken = Simd::greater(e, limit, alive);
         if (Simd::any(broken))
         {
           const unsigned int gone = Simd::bits(broken);
@@ -72,7 +75,7 @@ int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t fi
   return n_log;
 }
 
-template <class Law, bool with_energy>
+template <class Law, bool with_energy, bool weighted>
 void force(const LatticeArrays &a, const BondTable &table, const int64_t first, const int64_t last)
 {
   const double *const x = a.position[0], *const y = a.position[1], *const z = a.position[2];
@@ -99,8 +102,12 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
         const V r2      = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
         const V inverse = Simd::inverse_sqrt(r2);
         const V e       = Simd::fma(r2, inverse, -Simd::set(c.length));
-        const V tension = Law::template tension<V>(Simd::set(c.volumetric), Simd::set(c.extension),
-                                                   e, theta + Simd::load(a.theta + q));
+        V extension     = Simd::set(c.extension);
+        if constexpr (weighted)
+          extension =
+              extension * Simd::set(0.5) * (Simd::load(a.weight + p) + Simd::load(a.weight + q));
+        const V tension = Law::template tension<V>(Simd::set(c.volumetric), extension, e,
+                                                   theta + Simd::load(a.theta + q));
         const V t       = Simd::keep(alive, tension * inverse);
         sx              = Simd::fma(t, dx, sx);
         sy              = Simd::fma(t, dy, sy);
@@ -110,8 +117,8 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
         Simd::store(fz + q, Simd::fnma(t, dz, Simd::load(fz + q)));
         if constexpr (with_energy)
         {
-          const V half = Simd::keep(
-              alive, Simd::set(0.5) * Law::template bond_energy<V>(Simd::set(c.extension), e));
+          const V half =
+              Simd::keep(alive, Simd::set(0.5) * Law::template bond_energy<V>(extension, e));
           energy = energy + half;
           Simd::store(a.energy + q, Simd::load(a.energy + q) + half);
         }
@@ -120,8 +127,14 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
       Simd::store(fy + p, Simd::load(fy + p) + sy);
       Simd::store(fz + p, Simd::load(fz + p) + sz);
       if constexpr (with_energy)
-        Simd::store(a.energy + p, Simd::fma(Simd::set(table.point_stiffness), theta * theta,
-                                            Simd::load(a.energy + p) + energy));
+      {
+        // w theta^2 = (w theta)^2 / w; without weight theta is zero.
+        V stiffness = Simd::set(table.point_stiffness);
+        if constexpr (weighted)
+          stiffness = stiffness / (Simd::load(a.weight + p) + Simd::set(1e-30));
+        Simd::store(a.energy + p,
+                    Simd::fma(stiffness, theta * theta, Simd::load(a.energy + p) + energy));
+      }
     }
   }
 }
@@ -134,11 +147,11 @@ inline void advance(const LatticeArrays &a, const int64_t first, const int64_t l
     for (int lane = 0; lane < block_size; lane += lanes)
     {
       const int64_t p = block * block_size + lane;
-      const M owned   = Simd::mask(lane_bits(a.owned[block], lane));
+      const M free    = Simd::mask(lane_bits(a.free[block], lane));
       for (int d = 0; d < 3; ++d)
       {
         const V v = Simd::keep(
-            owned, Simd::fma(kick, Simd::load(a.force[d] + p), Simd::load(a.velocity[d] + p)));
+            free, Simd::fma(kick, Simd::load(a.force[d] + p), Simd::load(a.velocity[d] + p)));
         Simd::store(a.velocity[d] + p, v);
         Simd::store(a.position[d] + p, Simd::fma(drift, v, Simd::load(a.position[d] + p)));
       }
@@ -148,7 +161,14 @@ inline void advance(const LatticeArrays &a, const int64_t first, const int64_t l
 template <class Law>
 constexpr LatticeKernel kernel_of()
 {
-  return {Simd::name, &stretch<Law>, &force<Law, false>, &force<Law, true>, &advance};
+  return {Simd::name,
+          &stretch<Law, false>,
+          &stretch<Law, true>,
+          &force<Law, false, false>,
+          &force<Law, true, false>,
+          &force<Law, false, true>,
+          &force<Law, true, true>,
+          &advance};
 }
 
 #define RICOCHET_KERNEL(Law) kernel_of<Law>(),

@@ -5,10 +5,12 @@
 #pragma once
 
 #include "ricochet/contact/friction_law.h"
+#include "ricochet/coupling/coupling_method.h"
 #include "ricochet/geometry/body_of_revolution.h"
 #include "ricochet/geometry/hex_solid.h"
 #include "ricochet/materials/influence_function.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,31 @@ struct PlateParameters
   double horizon_ratio;            // m = delta/dx [-]
   InfluenceFunction influence_function;
   std::string material; // name of a MaterialParameters
+  // With ZoneKind::boxes: columns through the plate, x from and to, y from and to [m].
+  std::vector<std::array<double, 4>> zone_boxes = {};
+};
+
+/// Which part of the plates is peridynamic; finite elements carry the rest.
+enum class ZoneKind
+{
+  everything,
+  automatic, // the corridor of the impact, or its beginning if the zone is adaptive
+  boxes,
+  none // finite elements alone: elastic, nothing breaks
+};
+
+struct ZoneParameters
+{
+  ZoneKind kind             = ZoneKind::everything;
+  bool adaptive             = false; // grows ahead of damage
+  bool grows_everywhere     = false; // and not only in the corridor of the impact
+  double conversion_stretch = 0.5; // of the critical stretch; beyond, near the interface, it grows
+  CouplingParameters coupling;
+  int coarsening_levels = -1;    // of the elements; -1: what the plate's points allow, at most 2
+  bool full_quadrature  = false; // eight points per element instead of one
+  double hourglass_coefficient = 1.;
+
+  bool has_elements() const { return kind != ZoneKind::everything; }
 };
 
 enum class ProjectileModel
@@ -99,6 +126,7 @@ struct Scene
   ImpactParameters impact;
   std::vector<PlateParameters> plates; // from top to bottom
   std::vector<MaterialParameters> materials;
+  ZoneParameters zone;
   ContactParameters contact;
   TimeParameters time;
   OutputParameters output;

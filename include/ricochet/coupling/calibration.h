@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Stiffness of the elements around a zone, such that peridynamic points and elements together are
+// in equilibrium under any uniform strain, as the plate of elements alone would be.
+//
+// Peridynamic energy ends gradually: bonds reach out of the zone into the pad and the halo. What is
+// missing there to the full stiffness is left to the elements, as a symmetric tensor C_g at every
+// Gauss point. Starting from C_g = w C, where w is the share of the bond stress that is missing,
+// the smallest change of all C_g (in the sense of least squares) is sought that makes the nodal
+// forces under six unit strains those of the plate of elements alone: zero inside, tractions on
+// free surfaces. The solution is found by conjugate gradients on the normal equations, matrix-free,
+// and made non-negative: a sum of energies none of which is negative cannot become unstable.
+//
+// Zones grow by the same few shapes again and again. What has been found for a cell is the start
+// for all cells with the same surroundings, and only where that is not good enough is anything
+// sought.
+#pragma once
+
+#include "ricochet/coupling/cell_forces.h"
+#include "ricochet/coupling/coupling_method.h"
+#include "ricochet/forces/finite_element_force.h"
+
+namespace ricochet
+{
+struct CalibrationReport
+{
+  // Largest force at a node under a unit strain, in units of M h^2, M = K + 4 mu/3 [-].
+  double ghost_before        = 0.; // of the scaled C alone
+  double ghost_after         = 0.;
+  double smallest_eigenvalue = 0.; // of any C_g before it is made non-negative, if negative [M]
+  int n_iterations           = 0;
+  std::int64_t n_elements    = 0;
+};
+
+class Calibration
+{
+public:
+  /// The points must have a zone; both must outlive this object.
+  Calibration(MPI_Comm communicator, const PeridynamicForce &points,
+              const FiniteElementForce &elements, const CalibrationOptions &options);
+  ~Calibration();
+
+  /// The tensors of this rank's elements in the pad and halo of the zone as it is now. Collective.
+  std::vector<ElementStiffness> find();
+
+  const CalibrationReport &report() const { return report_; } // of the last find()
+
+private:
+  using Tensor  = std::array<double, HexTensors::n_entries>;
+  using Tensors = std::array<Tensor, 8>; // of the Gauss points
+  class LeastSquares;
+
+  void remember(const LeastSquares &problem);
+
+  MPI_Comm communicator_;
+  const PeridynamicForce &points_;
+  const FiniteElementForce &elements_;
+  CalibrationOptions options_;
+  CellForces forces_;
+  CalibrationReport report_;
+  // By pattern, and by one that is less exact; the same on all ranks [M].
+  std::unordered_map<std::uint64_t, Tensors> found_, similar_;
+};
+} // namespace ricochet

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the bonds around a zone do to the nodes of its cells in a uniformly strained plate, all six
+// unit strains (11, 22, 33, 23, 13, 12; shear in the engineering sense) at once.
+#pragma once
+
+#include "ricochet/forces/peridynamic_force.h"
+
+#include <Eigen/Core>
+
+#include <unordered_map>
+
+namespace ricochet
+{
+constexpr int n_unit_strains     = 6;
+/// Position of a component of a symmetric matrix among the six.
+constexpr int voigt_number[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+
+/// One number per unit strain; two lanes stay empty.
+using StrainLanes  = Eigen::Array<double, 8, 1>;
+using StrainForces = std::array<StrainLanes, 3>; // per component of a force
+
+/// A number for the surroundings of a cell: cells with the same number have the same layers within
+/// `around` cells and the same faces of the plate within `faces` cells. By default, therefore, the
+/// same bonds and weights.
+std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, bool mirrored, int around = 2,
+                           int faces = 5);
+
+class CellForces
+{
+public:
+  struct Entry
+  {
+    std::array<StrainForces, 8> corner; // forces [N]
+    double stress_share; // of the bonds of the cell's points, of that in the bulk [-]
+  };
+
+  explicit CellForces(const PeridynamicForce &points);
+
+  /// `pattern` of the cell, which lies in the pad or the halo. Remembers what it has computed.
+  const Entry &of(const Zone::Cell &cell, std::uint64_t pattern);
+
+private:
+  struct Bond
+  {
+    std::array<int, 3> offset;
+    Vector3 unit;
+    StrainLanes extension; // under the unit strains [m]
+    double dilatation, volumetric, stiffness;
+  };
+
+  Entry computed(const Zone::Cell &cell);
+  StrainForces point_force(const std::array<int, 3> &point, double &stress);
+  /// Of the point at an offset from another, both in the plate; images folded back. -1: outside.
+  double weight_at(const std::array<int, 3> &point, const Bond &bond,
+                   std::array<int, 3> &other) const;
+  const StrainLanes &dilatation(const std::array<int, 3> &point);
+
+  const Lattice &lattice_;
+  bool has_dilatation_;
+  double bulk_stress_; // of a point with all its bonds [N m]
+  std::vector<Bond> bonds_;
+  std::unordered_map<int, StrainLanes> dilatations_; // by distances to the faces
+  std::unordered_map<std::uint64_t, Entry> entries_;
+};
+} // namespace ricochet

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How the peridynamic zone and the finite elements around it are made one body. In all methods the
+// points around the zone follow the elements' nodes; they differ in whose energy or force counts
+// there.
+#pragma once
+
+#include "ricochet/discretization/zone.h"
+
+#include <array>
+
+namespace ricochet
+{
+enum class CouplingMethod
+{
+  calibrated_energy_blend, // elements carry what the bonds lack, found by least squares (default)
+  energy_blend,            // energies weighted with a and 1 - a over a chosen width
+  force_blend,             // forces weighted so: no energy exists, unstable in the long run
+  none                     // both in full, for comparison
+};
+
+struct CouplingMethodName
+{
+  CouplingMethod method;
+  const char *name;
+};
+
+constexpr std::array<CouplingMethodName, 4> coupling_methods{
+    {{CouplingMethod::calibrated_energy_blend, "calibrated energy blend"},
+     {CouplingMethod::energy_blend, "energy blend"},
+     {CouplingMethod::force_blend, "force blend"},
+     {CouplingMethod::none, "none"}}};
+
+struct CalibrationOptions
+{
+  int n_iterations = 60;   // at most
+  int round        = 7;    // iterations between two looks at the eigenvalues
+  double tolerance = 1e-3; // stop when all nodal forces are below, in units of M h^2 [-]
+  bool clip        = true; // false for studies of what happens then
+};
+
+struct CouplingParameters
+{
+  CouplingMethod method = CouplingMethod::calibrated_energy_blend;
+  // Of energy_blend and force_blend:
+  BlendFunction blend   = BlendFunction::cubic; // linear or cubic
+  double blend_width    = 2.;                   // in horizons
+  bool correct_mass     = true;                 // consistent mass of the pad, to first order
+  CalibrationOptions calibration;
+};
+} // namespace ricochet

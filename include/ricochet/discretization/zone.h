@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Which part of a plate is peridynamic. The plate is divided into cells, cubes of 2 x 2 x 2 points;
+// in the zone the points are free, everywhere else finite elements of (at least) that size carry
+// the plate. Around the zone lie layers of cells whose points follow the elements' nodes:
+//   pad    its points have their full (or blended) peridynamic energy, so that those in the zone
+//          feel an intact family of families;
+//   halo   its points have no energy, they are only neighbours of others.
+// Cells on the plate's surface may carry slaved points without bonds, for contact alone. Known to
+// all ranks; the same on all.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ricochet
+{
+enum class PointKind : std::uint8_t
+{
+  absent,
+  contact, // slaved, no bonds
+  slaved,  // follows the nodes of its cell
+  free     // moves by itself
+};
+
+/// How the peridynamic energy of a point falls from 1 to 0 over the blend.
+enum class BlendFunction
+{
+  step, // 1 in the whole pad
+  linear,
+  cubic
+};
+
+class Zone
+{
+public:
+  /// Cells low <= (i, j, k) < high.
+  struct Cells
+  {
+    std::array<int, 3> low, high;
+  };
+  using Cell = std::array<int, 3>;
+
+  static constexpr int points_per_edge = 2;
+
+  /// `reach`: of the stencil, in points. `blend_layers`: width of the blend in cells; 0 with the
+  /// step function takes what the horizon needs.
+  Zone(const std::array<int, 3> &n_cells, int reach, BlendFunction blend = BlendFunction::step,
+       int blend_layers = 0);
+
+  const std::array<int, 3> &n_cells() const { return n_; }
+  int pad_layers() const { return pad_; }
+  int slaved_layers() const { return pad_ + halo_; }
+
+  /// Adds cells to the zone (those inside the plate) and finds the layers anew. Returns whether
+  /// anything changed.
+  bool grow(const std::vector<Cells> &boxes);
+  /// Surface cells in these boxes carry contact points where no layer lies.
+  void set_contact_region(const std::vector<Cells> &boxes);
+
+  /// Layer of a cell: 0 in the zone, 1, 2 ... outwards; beyond the slaved ones, far().
+  int layer(const Cell &cell) const { return layers_[number(cell)]; }
+  int far() const { return pad_ + halo_ + 1; }
+  bool is_free(const Cell &cell) const { return layer(cell) == 0; }
+  bool is_slaved(const Cell &cell) const { return layer(cell) > 0 && layer(cell) < far(); }
+  bool has_contact(const Cell &cell) const
+  {
+    return layer(cell) == far() && contact_[number(cell)] != 0;
+  }
+  bool contains(const Cell &cell) const
+  {
+    for (int d = 0; d < 3; ++d)
+      if (cell[d] < 0 || cell[d] >= n_[d])
+        return false;
+    return true;
+  }
+
+  /// Of the point with these lattice coordinates inside the plate.
+  PointKind kind(int x, int y, int z) const
+  {
+    const Cell cell{x / points_per_edge, y / points_per_edge, z / points_per_edge};
+    const int layer = this->layer(cell);
+    return layer == 0               ? PointKind::free
+           : layer < far()          ? PointKind::slaved
+           : contact_[number(cell)] ? PointKind::contact
+                                    : PointKind::absent;
+  }
+  /// Share of the point's peridynamic energy that counts [-].
+  double weight(int x, int y, int z) const;
+
+  /// Per cell (see number()), whether it is free and at most so many cells away from one that is
+  /// not.
+  std::vector<char> rim(int width) const;
+  /// Whether grow() would change anything.
+  bool would_grow(const std::vector<Cells> &boxes) const;
+
+  std::size_t number(const Cell &cell) const
+  {
+    return (static_cast<std::size_t>(cell[0]) * n_[1] + cell[1]) * n_[2] + cell[2];
+  }
+  std::int64_t n_free_cells() const;
+  std::int64_t n_slaved_cells() const;
+  std::int64_t n_cells_in_all() const { return static_cast<std::int64_t>(layers_.size()); }
+
+  template <class Visitor>
+  void for_each_cell(Visitor &&visit) const
+  {
+    for (int i = 0; i < n_[0]; ++i)
+      for (int j = 0; j < n_[1]; ++j)
+        for (int k = 0; k < n_[2]; ++k)
+          visit(Cell{i, j, k});
+  }
+
+private:
+  template <class Visitor>
+  void for_each_cell_in(const Cells &box, Visitor &&visit) const;
+  void find_layers();
+
+  std::array<int, 3> n_;
+  int pad_, halo_;
+  BlendFunction blend_;
+  std::vector<std::uint8_t> layers_, contact_; // per cell
+};
+} // namespace ricochet

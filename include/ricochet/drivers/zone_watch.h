@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Looks after the edge of a peridynamic zone: bonds near it that are stretched half way to their
+// limit say that damage is coming. An adaptive zone then grows, ahead of need; a fixed one is
+// reported as reached, and its results should not be quoted.
+#pragma once
+
+#include "ricochet/coupling/far_field.h"
+
+namespace ricochet
+{
+class ZoneWatch
+{
+public:
+  struct Parameters
+  {
+    double stretch; // of a bond, at which damage is expected [-]
+    bool adaptive;
+    Zone::Cells limit; // the zone grows inside these cells only
+  };
+
+  /// `far_field` and its points must outlive this object.
+  ZoneWatch(MPI_Comm communicator, FarField &far_field, const Parameters &parameters);
+
+  /// Call once per step, before the points are evaluated, with ghosts up to date. Returns whether
+  /// elements became points. Collective.
+  bool update(double time, double dt);
+
+  long n_conversions() const { return n_conversions_; }
+  /// Energy lost in conversions so far, of the plate as computed [J]: lumped masses hold more
+  /// kinetic energy than the points they become.
+  double loss() const { return loss_; }
+  /// When damage first came near an interface that did not give way; negative: never [s].
+  double reached() const { return reached_; }
+
+private:
+  void find_rim();
+  std::vector<Zone::Cell> columns_in_danger();
+  double energy(double dt);
+
+  MPI_Comm communicator_;
+  FarField &far_field_;
+  Parameters parameters_;
+  long n_updates_ = 0, n_conversions_ = 0;
+  double loss_ = 0., reached_ = -1.;
+  std::vector<char> rim_;                       // per cell: within reach of the interface
+  std::vector<Lattice::BlockRange> rim_blocks_; // with points of such cells
+};
+} // namespace ricochet

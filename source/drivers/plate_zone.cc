@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/drivers/plate_zone.h"
+
+#include "ricochet/coupling/zone_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet
+{
+namespace
+{
+constexpr int most_levels = 2;
+
+int rounded(const double length, const double spacing, const int multiple)
+{
+  return multiple * std::max(1, static_cast<int>(std::lround(length / (spacing * multiple))));
+}
+
+/// How often the elements can double their size: the thickness decides, the other extents are
+/// rounded to it.
+int coarsening_levels(const Scene &scene, const PlateParameters &plate)
+{
+  if (scene.zone.coarsening_levels >= 0)
+    return scene.zone.coarsening_levels;
+  const int n_cells =
+      rounded(plate.thickness, plate.spacing, Zone::points_per_edge) / Zone::points_per_edge;
+  int levels = 0;
+  while (levels < most_levels && n_cells % (2 << levels) == 0)
+    ++levels;
+  return levels;
+}
+
+Zone::Cells columns(const Lattice::Box &box, const double x_low, const double x_high,
+                    const double y_low, const double y_high)
+{
+  const double cell = Zone::points_per_edge * box.spacing;
+  const auto from   = [&](const double x, const int d)
+  { return static_cast<int>(std::floor((x - box.corner[d]) / cell + 1e-9)); };
+  const auto to = [&](const double x, const int d)
+  { return static_cast<int>(std::ceil((x - box.corner[d]) / cell - 1e-9)); };
+  Zone::Cells cells{{from(x_low, 0), from(y_low, 1), 0},
+                    {to(x_high, 0), to(y_high, 1), box.n[2] / Zone::points_per_edge}};
+  for (int d = 0; d < 3; ++d)
+  {
+    const int n   = box.n[d] / Zone::points_per_edge;
+    cells.low[d]  = std::clamp(cells.low[d], 0, n);
+    cells.high[d] = std::clamp(cells.high[d], 0, n);
+  }
+  return cells;
+}
+} // namespace
+
+std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &plate)
+{
+  const int multiple =
+      scene.zone.has_elements() ? Zone::points_per_edge << coarsening_levels(scene, plate) : 1;
+  const double width = scene.symmetric ? plate.width / 2. : plate.width;
+  return {rounded(plate.length, plate.spacing, multiple), rounded(width, plate.spacing, multiple),
+          rounded(plate.thickness, plate.spacing, multiple)};
+}
+
+PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lattice::Box &box,
+                     const Stencil &stencil)
+{
+  PlateZone result;
+  if (!scene.zone.has_elements())
+  {
+    result.reason = "everything";
+    return result;
+  }
+  const auto &n             = box.n;
+  result.zone               = std::make_unique<Zone>(make_zone(
+                    {n[0] / Zone::points_per_edge, n[1] / Zone::points_per_edge, n[2] / Zone::points_per_edge},
+                    stencil, scene.zone.coupling));
+  result.options.coupling   = scene.zone.coupling;
+  result.options.quadrature = scene.zone.full_quadrature ? Quadrature::full : Quadrature::one_point;
+  result.options.hourglass_coefficient = scene.zone.hourglass_coefficient;
+  result.options.coarsening_levels     = coarsening_levels(scene, plate);
+
+  const ImpactGeometry impact{scene.projectile.shape.diameter,
+                              scene.projectile.shape.length,
+                              scene.impact.speed,
+                              scene.impact.incidence_angle,
+                              scene.impact.entry_x,
+                              scene.impact.entry_y,
+                              -(box.corner.z() + n[2] * box.spacing),
+                              n[2] * box.spacing,
+                              stencil.horizon};
+  const auto as_cells = [&](const ZoneChoice &choice)
+  { return columns(box, choice.x_low, choice.x_high, choice.y_low, choice.y_high); };
+  std::vector<Zone::Cells> boxes;
+  switch (scene.zone.kind)
+  {
+    case ZoneKind::automatic:
+    {
+      const auto choice = scene.zone.adaptive ? entry_zone(impact) : corridor_zone(impact);
+      result.reason     = "automatic: " + choice.reason;
+      boxes             = {as_cells(choice)};
+      break;
+    }
+    case ZoneKind::boxes:
+      result.reason = "boxes";
+      for (const auto &b : plate.zone_boxes)
+        boxes.push_back(columns(box, b[0], b[1], b[2], b[3]));
+      break;
+    default:
+      result.reason = "none: elastic finite elements";
+  }
+  result.zone->grow(boxes);
+
+  // A zone that grows needs fine elements wherever it may get to, and so do contact points: where
+  // the projectile and debris may be.
+  auto &fine = result.options.fine_region;
+  fine       = as_cells(corridor_zone(impact));
+  if (scene.zone.grows_everywhere)
+    fine = {{0, 0, 0}, result.zone->n_cells()};
+  for (const auto &b : boxes)
+    for (int d = 0; d < 3; ++d)
+    {
+      fine.low[d]  = std::min(fine.low[d], b.low[d]);
+      fine.high[d] = std::max(fine.high[d], b.high[d]);
+    }
+  result.growth_limit = fine;
+  result.zone->set_contact_region({fine});
+  for (int d = 0; d < 2; ++d)
+  {
+    fine.low[d] -= result.zone->slaved_layers();
+    fine.high[d] += result.zone->slaved_layers();
+  }
+  return result;
+}
+} // namespace ricochet

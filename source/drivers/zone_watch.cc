@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/drivers/zone_watch.h"
+
+#include <algorithm>
+
+namespace ricochet
+{
+namespace
+{
+constexpr int steps_between_looks = 5;
+// Free cells so near to the interface are looked at: two horizons of three points.
+constexpr int rim_width           = 3;
+// A zone grows by bricks of so many cells along x and y: the same few shapes of the interface come
+// again and again, and conversions are few.
+constexpr int brick               = 4;
+
+int brick_below(const int cell)
+{
+  return (cell >= 0 ? cell : cell - brick + 1) / brick * brick;
+}
+} // namespace
+
+ZoneWatch::ZoneWatch(const MPI_Comm communicator, FarField &far_field,
+                     const Parameters &parameters) :
+  communicator_(communicator),
+  far_field_(far_field), parameters_(parameters)
+{
+  find_rim();
+}
+
+void ZoneWatch::find_rim()
+{
+  const Zone &zone       = far_field_.zone();
+  const Lattice &lattice = far_field_.points().lattice();
+  rim_                   = zone.rim(rim_width);
+  std::vector<std::uint8_t> blocks(lattice.size() / Lattice::block_size, 0);
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        if (lattice.free(p) && rim_[zone.number(far_field_.points().cell_of(p))])
+          blocks[p / Lattice::block_size] = 1;
+      });
+  rim_blocks_ = ranges_of_blocks(blocks);
+}
+
+/// Columns of cells with stretched bonds, of all ranks, each once.
+std::vector<Zone::Cell> ZoneWatch::columns_in_danger()
+{
+  const Zone &zone = far_field_.zone();
+  auto &points     = far_field_.points();
+  const int n_y    = zone.n_cells()[1];
+  std::vector<char> columns(static_cast<std::size_t>(zone.n_cells()[0]) * n_y, 0);
+  for (const auto p : points.points_stretched(parameters_.stretch, rim_blocks_))
+    if (points.lattice().free(p))
+      if (const auto cell = points.cell_of(p); rim_[zone.number(cell)])
+        columns[static_cast<std::size_t>(cell[0]) * n_y + cell[1]] = 1;
+  MPI_Allreduce(MPI_IN_PLACE, columns.data(), static_cast<int>(columns.size()), MPI_CHAR, MPI_MAX,
+                communicator_);
+  std::vector<Zone::Cell> found;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c])
+      found.push_back({static_cast<int>(c / n_y), static_cast<int>(c % n_y), 0});
+  return found;
+}
+
+/// Of the plate alone, as the leapfrog scheme conserves it; forces are those of its own.
+double ZoneWatch::energy(const double dt)
+{
+  auto &points = far_field_.points();
+  points.update_ghosts();
+  points.evaluate(/*breaking=*/false, /*energy=*/true);
+  far_field_.evaluate(/*energy=*/true);
+  return far_field_.energies(dt).total();
+}
+
+bool ZoneWatch::update(const double time, const double dt)
+{
+  if (n_updates_++ % steps_between_looks != 0 || (!parameters_.adaptive && reached_ >= 0.))
+    return false;
+  const auto columns = columns_in_danger();
+  if (columns.empty())
+    return false;
+  if (!parameters_.adaptive)
+  {
+    reached_ = time;
+    return false;
+  }
+
+  std::vector<Zone::Cells> boxes;
+  for (const auto &c : columns)
+  {
+    Zone::Cells box = parameters_.limit;
+    for (int d = 0; d < 2; ++d)
+    {
+      box.low[d]  = std::max(box.low[d], brick_below(c[d] - rim_width));
+      box.high[d] = std::min(box.high[d], brick_below(c[d] + rim_width) + brick);
+    }
+    boxes.push_back(box);
+  }
+  if (!far_field_.zone().would_grow(boxes))
+  {
+    if (reached_ < 0.)
+      reached_ = time;
+    return false;
+  }
+  // The dilatation of the step before belongs to the fracture energy of the next one.
+  auto &points        = far_field_.points();
+  const auto history  = points.dilatation_history();
+  const double before = energy(dt);
+  far_field_.convert(boxes);
+  loss_ += before - energy(dt);
+  points.restore_dilatation(history);
+  ++n_conversions_;
+  find_rim();
+  return true;
+}
+} // namespace ricochet
