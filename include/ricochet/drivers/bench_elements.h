@@ -15,11 +15,16 @@ struct ElementBenchOptions
   /// "general": one point, distorted elements, as in a projectile: one cube per rank.
   std::string element   = "one point";
   std::string instruction_set; // empty: the best one
-  bool json = false;           // one JSON object instead of text
+  int branches = 0;            // that relax; an elastic cube is then timed in turn with this one
+  bool json    = false;        // one JSON object instead of text
 };
 
 /// Full time steps (halo, hanging nodes, forces, kick and drift) of a cube in motion, a corner of
 /// which is refined once so that hanging nodes take part. Collective; prints on rank 0. Throws
 /// InputError for an unknown element or instruction set.
 void bench_elements(MPI_Comm communicator, const ElementBenchOptions &options);
+
+/// The element "general": one cube of distorted elements per rank, as every rank computes a
+/// projectile whole.
+void bench_general_elements(MPI_Comm communicator, const ElementBenchOptions &options);
 } // namespace ricochet
