@@ -5,6 +5,7 @@
 #include "ricochet/drivers/bench_elements.h"
 #include "ricochet/drivers/bench_search.h"
 #include "ricochet/drivers/check.h"
+#include "ricochet/drivers/mesh.h"
 #include "ricochet/drivers/run.h"
 #include "ricochet/drivers/several_processes.h"
 #include "ricochet/drivers/study.h"
@@ -36,6 +37,7 @@ struct Arguments
   ElementBenchOptions elements;
   SearchBenchOptions search;
   int n_processes = 1; // read by start_processes()
+  MeshOptions mesh;
 };
 
 ParameterFile parameter_file(const Arguments &arguments)
@@ -72,6 +74,11 @@ void declare(CLI::App &app, Arguments &arguments)
                   "test the interface between peridynamics and finite elements on this scene; exit "
                   "status 1 if a limit is not kept");
 
+  auto *mesh = app.add_subcommand(
+      "mesh", "generate or read the projectile's mesh and print what it is worth");
+  add_scene(mesh);
+  mesh->add_option("--write", arguments.mesh.write, "gmsh file to write");
+
   auto *study = app.add_subcommand("study", "run scenes over one or more axes and print one table");
   study->add_option("file", arguments.file, "study file (.prm with a section Study)")->required();
   study->add_flag("--resume", arguments.study.resume, "go on: skip the cases that are finished");
@@ -104,7 +111,9 @@ void declare(CLI::App &app, Arguments &arguments)
       ->capture_default_str();
   elements->add_option("--repeats", arguments.elements.repeats, "timed repeats, the median counts")
       ->capture_default_str();
-  elements->add_option("--element", arguments.elements.element, "one point, full or own tensors")
+  elements
+      ->add_option("--element", arguments.elements.element,
+                   "one point, full, own tensors or general")
       ->capture_default_str();
   elements
       ->add_option("--viscous", arguments.elements.branches,
@@ -155,6 +164,8 @@ int execute(const CLI::App &app, const Arguments &arguments)
   }
   if (app.got_subcommand("check"))
     return check(communicator, parameter_file(arguments), arguments.check) ? 0 : 1;
+  if (app.got_subcommand("mesh"))
+    mesh(communicator, parameter_file(arguments), arguments.mesh);
   if (app.got_subcommand("study"))
     return study(communicator, arguments.file, arguments.study) == 0 ? 0 : 4;
   if (app.got_subcommand("bench"))

@@ -103,7 +103,7 @@ SectionDeclaration projectile()
 {
   return {
       "Projectile",
-      "The projectile: a rigid body of revolution.",
+      "The projectile: a body of revolution.",
       {required("Nose shape", choice({"ogive", "cone", "hemisphere", "flat", "sphere"}), "ogive",
                 "Shape of the nose in front of the cylindrical shank, or a whole sphere"),
        required("Diameter", quantity(Dimension::length, Limit::positive), "6.17 mm",
@@ -117,8 +117,26 @@ SectionDeclaration projectile()
        optional("Mass", quantity(Dimension::mass, Limit::positive), "5.25 g",
                 "Mass of the whole projectile"),
        optional("Density", quantity(Dimension::density, Limit::positive), "7850 kg/m3",
-                "Instead of the mass, the density of the homogeneous projectile")},
-      {{{{"Length"}}, "Nose shape", {"ogive", "cone", "hemisphere", "flat"}},
+                "Instead of the mass, the density of the homogeneous projectile"),
+       with_default("Model", choice({"rigid", "finite elements", "peridynamic"}), "rigid",
+                    "Whether it deforms; the other two are elastic and cost time steps"),
+       optional("Young's modulus", quantity(Dimension::stress, Limit::positive), "202 GPa",
+                "Of a deformable projectile, together with Poisson's ratio"),
+       optional("Poisson's ratio", quantity(Dimension::number, Limit::not_negative), "0.3",
+                "Of a deformable projectile, below 0.5"),
+       optional("Grid spacing", quantity(Dimension::length, Limit::positive), "1 mm",
+                "Distance between neighbouring points of a peridynamic projectile"),
+       with_default(
+           "Refinement", quantity(Dimension::number, Limit::positive), "2",
+           "Of the generated mesh, which is also the skin of a peridynamic projectile: 1 to 4, "
+           "each halves the edges"),
+       optional("Mesh", text("a gmsh file in ASCII, relative to this file"), "projectile.msh",
+                "Instead of the generated mesh, hexahedra of the same shape, tip towards x"),
+       with_default("Mesh unit", choice({"m", "cm", "mm", "in"}), "mm",
+                    "Unit of the coordinates in that file")},
+      {{{{"Young's modulus", "Poisson's ratio"}}, "Model", {"finite elements", "peridynamic"}},
+       {{{"Grid spacing"}}, "Model", {"peridynamic"}},
+       {{{"Length"}}, "Nose shape", {"ogive", "cone", "hemisphere", "flat"}},
        {{{"Nose length"}, {"Caliber radius head"}}, "Nose shape", {"ogive"}},
        {{{"Nose length"}}, "Nose shape", {"cone"}},
        {{{"Mass"}, {"Density"}}}}};

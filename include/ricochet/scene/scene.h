@@ -7,6 +7,7 @@
 #include "ricochet/contact/friction_law.h"
 #include "ricochet/coupling/coupling_method.h"
 #include "ricochet/geometry/body_of_revolution.h"
+#include "ricochet/geometry/hex_solid.h"
 #include "ricochet/materials/influence_function.h"
 #include "ricochet/materials/relaxation.h"
 
@@ -64,10 +65,23 @@ struct ZoneParameters
   bool has_elements() const { return kind != ZoneKind::everything; }
 };
 
+enum class ProjectileModel
+{
+  rigid,
+  finite_elements,
+  peridynamic
+};
+
 struct ProjectileParameters
 {
   BodyOfRevolution::Shape shape;
   double mass; // [kg], of the whole projectile
+  // Of a deformable one:
+  ProjectileModel model = ProjectileModel::rigid;
+  double youngs_modulus = 0., poissons_ratio = 0.; // [Pa], [-]
+  double spacing = 0.;                             // dx of the points of a peridynamic one [m]
+  int refinement = 2;                              // of the generated mesh, from 1
+  HexSolid mesh  = {}; // read from a file, axis along x; no cells: generated from the shape
 };
 
 struct ImpactParameters
