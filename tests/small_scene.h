@@ -40,6 +40,14 @@ inline Scene two_plates()
   return scene;
 }
 
+/// With branches that relax during the few tens of microseconds of such a scene.
+inline Scene relaxing(Scene scene, const HistoryPrecision precision)
+{
+  scene.materials[0].relaxation        = {{0.146, 15.3}, {0.3, 20e-6}, {0.241, 2e-6}};
+  scene.materials[0].history_precision = precision;
+  return scene;
+}
+
 inline Scene symmetric(Scene scene)
 {
   scene.symmetric = true;
@@ -53,6 +61,6 @@ namespace ricochet
 inline void PrintTo(const Scene &scene, std::ostream *out)
 {
   *out << (scene.symmetric ? "half model of " : "full model of ") << scene.plates.size()
-       << " plates";
+       << (scene.materials[0].relaxation.empty() ? " plates" : " relaxing plates");
 }
 } // namespace ricochet

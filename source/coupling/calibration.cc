@@ -93,8 +93,7 @@ public:
     lattice_(owner.points_.lattice()), zone_(*lattice_.zone()), options_(owner.options_)
   {
     MPI_Comm_size(communicator_, &n_ranks_);
-    const auto &material = owner.elements_.material();
-    const double K = material.bulk_modulus, mu = material.shear_modulus;
+    const double K = owner.moduli_.bulk, mu = owner.moduli_.shear;
     modulus_ = K + 4. / 3. * mu;
     edge_    = Zone::points_per_edge * lattice_.box().spacing;
     solid_.setZero();
@@ -520,9 +519,10 @@ private:
 };
 
 Calibration::Calibration(const MPI_Comm communicator, const PeridynamicForce &points,
-                         const FiniteElementForce &elements, const CalibrationOptions &options) :
+                         const FiniteElementForce &elements, const ElasticModuli &moduli,
+                         const CalibrationOptions &options) :
   communicator_(communicator),
-  points_(points), elements_(elements), options_(options), forces_(points)
+  points_(points), elements_(elements), moduli_(moduli), options_(options), forces_(points, moduli)
 {
 }
 

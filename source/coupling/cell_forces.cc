@@ -44,27 +44,29 @@ std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, const bool 
   return hash;
 }
 
-CellForces::CellForces(const PeridynamicForce &points) :
+CellForces::CellForces(const PeridynamicForce &points, const ElasticModuli &moduli) :
   lattice_(points.lattice()), has_dilatation_(points.material().law->has_dilatation),
   bulk_stress_(0.)
 {
   const auto &stencil = lattice_.stencil();
+  const auto family   = family_constants(stencil, moduli.bulk, moduli.shear);
   for (std::size_t k = 0; k < stencil.offsets.size(); ++k)
     for (const int sign : {1, -1})
     {
       const auto &o      = stencil.offsets[k];
-      const auto &c      = points.bond_constants()[k];
+      const auto c       = points.material().law->bond(family, o.length, o.omega);
       const Vector3 unit = Vector3(sign * o.x, sign * o.y, sign * o.z) * stencil.spacing / o.length;
       Bond bond{{sign * o.x, sign * o.y, sign * o.z},
                 unit,
                 StrainLanes::Zero(),
                 c.dilatation,
                 c.volumetric,
-                c.extension};
+                c.extension,
+                points.bond_constants()[k].extension};
       for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j)
           bond.extension[voigt_number[i][j]] = unit[i] * unit[j] * o.length;
-      bulk_stress_ += bond.stiffness * o.length;
+      bulk_stress_ += bond.full_stiffness * o.length;
       bonds_.push_back(bond);
     }
 }
@@ -108,7 +110,7 @@ StrainForces CellForces::point_force(const std::array<int, 3> &point, double &st
     const double weight = weight_at(point, bond, other);
     // Beyond the plate's faces the elements lack nothing either.
     const double share  = 0.5 * (own + std::max(weight, weight < 0. ? own : 0.));
-    stress += share * bond.stiffness * bond.extension.head<3>().sum();
+    stress += share * bond.full_stiffness * bond.extension.head<3>().sum();
     if (weight < 0. || own + weight <= 0.)
       continue;
     StrainLanes tension = bond.stiffness * share * bond.extension;

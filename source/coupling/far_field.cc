@@ -77,7 +77,16 @@ FiniteElementForce::Options element_options(const PeridynamicForce &points, cons
 FiniteElementMaterial material_of(const PeridynamicForce &points)
 {
   const auto &m = points.material();
-  return {m.density, m.bulk_modulus, m.shear_modulus};
+  return {m.density, m.bulk_modulus, m.shear_modulus, m.relaxation};
+}
+
+/// Of the shear modulus [-].
+double relaxing_share(const PeridynamicForce &points)
+{
+  double share = 0.;
+  for (const auto &branch : points.material().relaxation)
+    share += branch.share;
+  return share;
 }
 
 /// The blend as a function of the distance from the zone in parts of its width.
@@ -111,8 +120,15 @@ FarField::FarField(const MPI_Comm communicator, PeridynamicForce &points, Zone &
   points_(points), zone_(zone), options_(options),
   elements_(communicator, mesh_box(points, zone, options), material_of(points),
             element_options(points, zone, options)),
-  calibration_(communicator, points, elements_, options.coupling.calibration)
+  calibration_(communicator, points, elements_,
+               {elements_.material().bulk_modulus,
+                elements_.material().shear_modulus * (1. - relaxing_share(points))},
+               options.coupling.calibration)
 {
+  if (!elements_.material().relaxation.empty())
+    shear_calibration_ = std::make_unique<Calibration>(
+        communicator, points, elements_, ElasticModuli{0., elements_.material().shear_modulus},
+        options.coupling.calibration);
   join();
   lead();
 }
@@ -124,7 +140,7 @@ void FarField::join()
   switch (options_.coupling.method)
   {
     case CouplingMethod::calibrated_energy_blend:
-      elements_.set_stiffness(calibration_.find());
+      elements_.set_stiffness(calibrated_stiffness());
       break;
     case CouplingMethod::energy_blend:
       elements_.set_stiffness(blended_stiffness());
@@ -175,6 +191,38 @@ void FarField::join()
   }
 }
 
+CalibrationReport FarField::calibration() const
+{
+  CalibrationReport report = calibration_.report();
+  if (shear_calibration_)
+  {
+    const auto &shear          = shear_calibration_->report();
+    report.ghost_before        = std::max(report.ghost_before, shear.ghost_before);
+    report.ghost_after         = std::max(report.ghost_after, shear.ghost_after);
+    report.smallest_eigenvalue = std::min(report.smallest_eigenvalue, shear.smallest_eigenvalue);
+    report.n_iterations += shear.n_iterations;
+  }
+  return report;
+}
+
+std::vector<ElementStiffness> FarField::calibrated_stiffness()
+{
+  auto stiffness = calibration_.find();
+  if (!shear_calibration_)
+    return stiffness;
+  // What is left in the end, and what relaxes: neither is negative, so nothing in between is.
+  const auto shear   = shear_calibration_->find();
+  const double share = relaxing_share(points_);
+  for (std::size_t i = 0; i < stiffness.size(); ++i)
+  {
+    stiffness[i].shear = shear[i].tensors;
+    for (std::size_t g = 0; g < shear[i].tensors.size(); ++g)
+      for (int k = 0; k < HexTensors::n_entries; ++k)
+        stiffness[i].tensors[g][k] += share * shear[i].tensors[g][k];
+  }
+  return stiffness;
+}
+
 /// 1 minus the mean weight of the points in an element, times the material's stiffness.
 std::vector<ElementStiffness> FarField::blended_stiffness() const
 {
@@ -195,10 +243,16 @@ std::vector<ElementStiffness> FarField::blended_stiffness() const
       share -= 0.125 * zone_.weight(2 * at[0] + (sub & 1), 2 * at[1] + ((sub >> 1) & 1),
                                     2 * at[2] + (sub >> 2));
     ElementStiffness own{static_cast<int>(e), {}};
-    for (auto &tensor : own.tensors)
+    const auto isotropic = [&](const double first)
+    {
+      std::array<double, HexTensors::n_entries> tensor;
       for (int i = 0, k = 0; i < 6; ++i)
         for (int j = i; j < 6; ++j, ++k)
-          tensor[k] = share * ((j < 3 ? lambda : 0.) + (i == j ? (i < 3 ? 2. : 1.) * mu : 0.));
+          tensor[k] = share * ((j < 3 ? first : 0.) + (i == j ? (i < 3 ? 2. : 1.) * mu : 0.));
+      return tensor;
+    };
+    own.tensors.fill(isotropic(lambda));
+    own.shear.fill(isotropic(-2. / 3. * mu));
     stiffness.push_back(own);
   }
   return stiffness;
@@ -210,14 +264,47 @@ void FarField::lead()
   slaved_.follow(elements_, points_.state());
 }
 
-void FarField::evaluate(const bool energy)
+void FarField::start_relaxation(const double dt)
 {
-  elements_.evaluate(energy);
+  points_.start_relaxation(dt);
+  elements_.start_relaxation(dt);
+}
+
+void FarField::evaluate(const bool energy, const bool is_step)
+{
+  add_forces(energy, is_step);
+  elements_.correct_mass();
+}
+
+void FarField::add_forces(const bool energy, const bool is_step)
+{
+  elements_.evaluate(energy, is_step);
   if (options_.coupling.method == CouplingMethod::force_blend)
     blend_forces();
   else
     slaved_.hand_on(points_.state(), elements_.force());
-  elements_.correct_mass();
+}
+
+void FarField::rest()
+{
+  const Lattice &lattice = points_.lattice();
+  auto &a                = points_.state().arrays;
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        const Vector3 x = lattice.reference_position(lattice.coordinates(p));
+        for (int d = 0; d < 3; ++d)
+        {
+          a.position[d][p] = x[d];
+          a.velocity[d][p] = a.force[d][p] = 0.;
+        }
+      });
+  points_.state().zero(lattice, a.theta);
+  elements_.position() = elements_.mesh().reference();
+  std::fill(elements_.velocity().begin(), elements_.velocity().end(), 0.);
+  std::fill(elements_.force().begin(), elements_.force().end(), 0.);
+  lead();
+  points_.update_ghosts();
 }
 
 void FarField::blend_forces()
@@ -235,7 +322,8 @@ FarField::Energies FarField::energies(const double dt) const
 {
   const auto points = points_.energies(dt);
   const auto nodes  = elements_.energies(dt);
-  return {points.kinetic + nodes.kinetic, points.strain + nodes.strain, nodes.hourglass};
+  return {points.kinetic + nodes.kinetic, points.strain + nodes.strain, nodes.hourglass,
+          points.viscous + nodes.viscous};
 }
 
 PeridynamicForce::Momenta FarField::momenta() const
@@ -243,6 +331,47 @@ PeridynamicForce::Momenta FarField::momenta() const
   const auto points = points_.momenta();
   const auto nodes  = elements_.momenta();
   return {points.linear + nodes.linear, points.angular + nodes.angular};
+}
+
+std::vector<std::vector<double>> FarField::nodal_histories() const
+{
+  constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
+  const auto &mesh     = elements_.mesh();
+  const int n_branches = points_.history()->n_branches();
+  std::vector<double> weight(elements_.force().size(), 0.);
+  std::vector<std::vector<double>> fields(2 * n_branches, weight);
+  for (std::size_t e = 0; e < mesh.elements().size(); ++e)
+  {
+    if (!elements_.is_active(static_cast<int>(e)))
+      continue;
+    const auto &element = mesh.elements()[e];
+    const double volume = element.edge * element.edge * element.edge;
+    for (int k = -1; k < n_branches; ++k)
+    {
+      const Eigen::Matrix3d G =
+          k < 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Ones()) : elements_.history(e, k);
+      for (const int node : element.nodes)
+        for (int i = 0; i < (k < 0 ? 3 : 6); ++i)
+          (k < 0 ? weight : fields[2 * k + i / 3])[3 * node + i % 3] +=
+              volume * G(row[i], column[i]);
+    }
+  }
+  mesh.add_to_owners(weight.data());
+  for (std::size_t f = 0; f < fields.size(); ++f)
+  {
+    mesh.add_to_owners(fields[f].data());
+    for (int node = 0; node < mesh.n_owned_nodes(); ++node)
+      for (int d = 0; d < 3; ++d)
+      {
+        const int i    = 3 * node + d;
+        // The mirrored half takes 23 and 12 away.
+        const bool odd = f % 2 == 1 && d != 1 && mesh.on_mirror_plane(node);
+        fields[f][i]   = weight[i] > 0. && !odd ? fields[f][i] / weight[i] : 0.;
+      }
+    mesh.update_ghosts(fields[f].data());
+    mesh.follow_masters(fields[f].data());
+  }
+  return fields;
 }
 
 bool FarField::convert(const std::vector<Zone::Cells> &cells)
@@ -268,10 +397,29 @@ bool FarField::convert(const std::vector<Zone::Cells> &cells)
   points_.follow_zone(Zone::points_per_edge * first, Zone::points_per_edge * last);
 
   // All points that did not move by themselves start from where the nodes are.
-  SlavedPoints(communicator_, elements_, points_.lattice(),
-               [&](const Zone::Cell &cell)
-               { return !was_free[zone_.number(cell)] && zone_.layer(cell) < zone_.far(); })
-      .follow(elements_, points_.state());
+  SlavedPoints starting(communicator_, elements_, points_.lattice(),
+                        [&](const Zone::Cell &cell) {
+                          return !was_free[zone_.number(cell)] && zone_.layer(cell) < zone_.far();
+                        });
+  starting.follow(elements_, points_.state());
+  if (points_.history() != nullptr)
+  {
+    const auto nodal = nodal_histories();
+    PeridynamicForce::TensorFields histories(nodal.size() / 2);
+    for (std::size_t k = 0; k < histories.size(); ++k)
+    {
+      for (auto &field : histories[k])
+        field.assign(points_.lattice().size(), 0.);
+      for (const int half : {0, 1})
+      {
+        double *const fields[3] = {histories[k][3 * half].data(), histories[k][3 * half + 1].data(),
+                                   histories[k][3 * half + 2].data()};
+        starting.interpolate(nodal[2 * k + half], fields);
+      }
+    }
+    points_.update_ghosts();
+    points_.continue_history(histories);
+  }
 
   const auto &box = points_.lattice().box();
   elements_.set_active([&](const Vector3 &centre) { return !zone_.is_free(cell_at(box, centre)); });

@@ -92,23 +92,24 @@ SlavedPoints::SlavedPoints(const MPI_Comm communicator, const FiniteElementForce
   values_.resize(3 * nodes.size());
 }
 
+void SlavedPoints::interpolate(const std::vector<double> &nodal, double *const field[3])
+{
+  links_.fetch(nodal, values_);
+  for (const auto &cell : cells_)
+  {
+    double v[8][3];
+    for (int corner = 0; corner < 8; ++corner)
+      for (int d = 0; d < 3; ++d)
+        v[corner][d] = values_[3 * cell.node[corner] + d];
+    blend_along_axes(v);
+    for (int corner = 0; corner < 8; ++corner)
+      for (int d = 0; d < 3; ++d)
+        field[d][point(cell, corner)] = v[corner][d];
+  }
+}
+
 void SlavedPoints::follow(const FiniteElementForce &elements, LatticeState &state)
 {
-  const auto interpolate = [&](const std::vector<double> &nodal, double *const field[3])
-  {
-    links_.fetch(nodal, values_);
-    for (const auto &cell : cells_)
-    {
-      double v[8][3];
-      for (int corner = 0; corner < 8; ++corner)
-        for (int d = 0; d < 3; ++d)
-          v[corner][d] = values_[3 * cell.node[corner] + d];
-      blend_along_axes(v);
-      for (int corner = 0; corner < 8; ++corner)
-        for (int d = 0; d < 3; ++d)
-          field[d][point(cell, corner)] = v[corner][d];
-    }
-  };
   interpolate(elements.position(), state.arrays.position);
   interpolate(elements.velocity(), state.arrays.velocity);
 }

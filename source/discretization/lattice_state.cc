@@ -106,9 +106,9 @@ void LatticeState::mirror_motion(const Lattice &lattice)
       });
 }
 
-void LatticeState::mirror_theta(const Lattice &lattice)
+void LatticeState::mirror(const Lattice &lattice, double *const scalar) const
 {
   lattice.for_each_image([&](const std::ptrdiff_t image, const std::ptrdiff_t original)
-                         { arrays.theta[image] = arrays.theta[original]; });
+                         { scalar[image] = scalar[original]; });
 }
 } // namespace ricochet

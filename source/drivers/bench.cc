@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 
 namespace ricochet
 {
@@ -23,6 +24,11 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
     throw InputError("bench kernel: --edge " + std::to_string(options.points_per_edge) +
                      " and --repeats " + std::to_string(options.repeats) +
                      " must lie in 8 to 400 and be at least 1.");
+  if (options.branches < 0 || options.branches > max_maxwell_branches ||
+      (options.history != "single" && options.history != "double"))
+    throw InputError("bench kernel: --viscous " + std::to_string(options.branches) +
+                     " must lie in 0 to " + std::to_string(max_maxwell_branches) + ", --history '" +
+                     options.history + "' be 'single' or 'double'.");
   const int n           = options.points_per_edge;
   const Stencil stencil = make_stencil(1. * mm, 3., InfluenceFunction::cone);
   const double K        = 5.9 * GPa;
@@ -34,38 +40,58 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
     const auto square = [](const double d) { return d * d; };
     return square(x - n / 2) + square(y - n / 2) + square(z - n / 2) > square(n / 4.);
   };
-  PeridynamicForce body(communicator, 0, {Vector3::Zero(), stencil.spacing, {n, n, n}, false},
-                        stencil, material, options.holes ? sphere : Lattice::Mask{},
-                        options.instruction_set.empty() ? nullptr
-                                                        : options.instruction_set.c_str());
-
-  // A stretched cube that swings freely: nothing is at rest, nothing breaks.
-  auto &a = body.state().arrays;
-  for (std::ptrdiff_t p = body.lattice().owned_begin(); p < body.lattice().owned_end(); ++p)
-    a.position[0][p] *= 1.001;
-  const double dt = 0.2e-6;
+  const double dt      = 0.2e-6;
+  const auto make_body = [&](const int branches)
+  {
+    auto described = material;
+    // PMMA's fast branch, split.
+    described.relaxation.assign(branches, {0.541 / std::max(1, branches), 95.4e-6});
+    described.history_precision = options.history == "double" ? HistoryPrecision::double_precision
+                                                              : HistoryPrecision::single_precision;
+    auto body                   = std::make_unique<PeridynamicForce>(
+        communicator, 0, Lattice::Box{Vector3::Zero(), stencil.spacing, {n, n, n}, false}, stencil,
+        described, options.holes ? sphere : Lattice::Mask{},
+        options.instruction_set.empty() ? nullptr : options.instruction_set.c_str());
+    body->start_relaxation(dt);
+    // A stretched cube that swings freely: nothing is at rest, nothing breaks.
+    auto &a = body->state().arrays;
+    for (std::ptrdiff_t p = body->lattice().owned_begin(); p < body->lattice().owned_end(); ++p)
+      a.position[0][p] *= 1.001;
+    return body;
+  };
+  const auto asked   = make_body(options.branches);
+  const auto elastic = options.branches > 0 ? make_body(0) : nullptr;
+  auto &body         = *asked;
 
   const double bonds = body.count_bonds();
   const int steps    = std::max(1, static_cast<int>(2e8 / (2. * bonds)));
-  std::vector<double> rates;
   int n_ranks;
   MPI_Comm_size(communicator, &n_ranks);
-  for (int repeat = 0; repeat < options.repeats; ++repeat)
+  const auto rate = [&](PeridynamicForce &timed)
   {
     MPI_Barrier(communicator);
     const auto start = std::chrono::steady_clock::now();
     for (int step = 0; step < steps; ++step)
     {
-      body.update_ghosts();
-      body.evaluate(/*breaking=*/true, /*energy=*/false);
-      body.advance(dt, dt);
+      timed.update_ghosts();
+      timed.evaluate(/*breaking=*/true, /*energy=*/false);
+      timed.advance(dt, dt);
     }
     MPI_Barrier(communicator);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    rates.push_back(2. * bonds * steps / seconds / n_ranks);
+    return 2. * bonds * steps / seconds / n_ranks;
+  };
+  std::vector<double> rates, shares; // shares: of the elastic rate just before
+  for (int repeat = 0; repeat < options.repeats; ++repeat)
+  {
+    const double comparison = elastic ? rate(*elastic) : 0.;
+    rates.push_back(rate(body));
+    if (elastic)
+      shares.push_back(rates.back() / comparison);
   }
   std::sort(rates.begin(), rates.end());
+  std::sort(shares.begin(), shares.end());
   double points = static_cast<double>(body.lattice().n_owned_points());
   MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_DOUBLE, MPI_SUM, communicator);
   if (rank_in(communicator) != 0)
@@ -81,6 +107,13 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
   result["directed_bonds_per_second_per_core"]       = rates[rates.size() / 2];
   result["directed_bonds_per_second_per_core_best"]  = rates.back();
   result["directed_bonds_per_second_per_core_worst"] = rates.front();
+  if (elastic)
+  {
+    result["relaxing_branches"]       = options.branches;
+    result["history_precision"]       = options.history;
+    result["history_bytes_per_point"] = body.history()->bytes_per_point();
+    result["share_of_elastic_rate"]   = shares[shares.size() / 2];
+  }
   if (options.json)
     std::cout << result.dump(2) << std::endl;
   else
@@ -89,5 +122,12 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
                 body.kernel().instruction_set, law.name, points, 2e-6 * bonds, n_ranks,
                 n_ranks == 1 ? "" : "s", 1e-6 * rates[rates.size() / 2], 1e-6 * rates.front(),
                 1e-6 * rates.back(), options.repeats);
+  if (elastic && !options.json)
+    std::printf(
+        "%d relaxing branch%s in %s precision, %.0f bytes per point: %.2f of the elastic rate "
+        "(worst %.2f, best %.2f)\n",
+        options.branches, options.branches == 1 ? "" : "es", options.history.c_str(),
+        body.history()->bytes_per_point(), shares[shares.size() / 2], shares.front(),
+        shares.back());
 }
 } // namespace ricochet

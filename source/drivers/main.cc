@@ -29,6 +29,7 @@ struct Arguments
   std::string file, output;
   std::vector<std::string> settings;
   RunOptions run;
+  CheckOptions check;
   StudyOptions study;
   KernelBenchOptions bench;
   ElementBenchOptions elements;
@@ -62,8 +63,12 @@ void declare(CLI::App &app, Arguments &arguments)
   run->add_flag("--force", arguments.run.force, "overwrite the results in an existing folder");
   run->add_flag("--quiet", arguments.run.quiet, "print nothing but errors");
 
-  add_scene(
-      app.add_subcommand("check", "validate a parameter file and print what the run will cost"));
+  auto *check =
+      app.add_subcommand("check", "validate a parameter file and print what the run will cost");
+  add_scene(check);
+  check->add_flag("--coupling", arguments.check.coupling,
+                  "test the interface between peridynamics and finite elements on this scene; exit "
+                  "status 1 if a limit is not kept");
 
   auto *study = app.add_subcommand("study", "run scenes over one or more axes and print one table");
   study->add_option("file", arguments.file, "study file (.prm with a section Study)")->required();
@@ -81,6 +86,12 @@ void declare(CLI::App &app, Arguments &arguments)
   kernel->add_option("--instruction-set", arguments.bench.instruction_set,
                      "avx512, avx2 or baseline; default: the best one");
   kernel->add_option("--bond-model", arguments.bench.bond_model, "bond law")->capture_default_str();
+  kernel
+      ->add_option("--viscous", arguments.bench.branches,
+                   "relaxing branches, timed in turn with an elastic cube")
+      ->capture_default_str();
+  kernel->add_option("--history", arguments.bench.history, "single or double precision of those")
+      ->capture_default_str();
   kernel->add_flag("--holes", arguments.bench.holes, "cut a sphere out of the cube");
 
   auto *elements = bench->add_subcommand("elements", "the explicit finite elements");
@@ -92,6 +103,10 @@ void declare(CLI::App &app, Arguments &arguments)
   elements->add_option("--repeats", arguments.elements.repeats, "timed repeats, the median counts")
       ->capture_default_str();
   elements->add_option("--element", arguments.elements.element, "one point, full or own tensors")
+      ->capture_default_str();
+  elements
+      ->add_option("--viscous", arguments.elements.branches,
+                   "relaxing branches, timed in turn with an elastic cube")
       ->capture_default_str();
   elements->add_option("--instruction-set", arguments.elements.instruction_set,
                        "avx512, avx2 or baseline; default: the best one");
@@ -132,7 +147,7 @@ int execute(const CLI::App &app, const Arguments &arguments)
     return summary.value("interrupted", false) ? 130 : 0;
   }
   if (app.got_subcommand("check"))
-    check(communicator, parameter_file(arguments));
+    return check(communicator, parameter_file(arguments), arguments.check) ? 0 : 1;
   if (app.got_subcommand("study"))
     return study(communicator, arguments.file, arguments.study) == 0 ? 0 : 4;
   if (app.got_subcommand("bench"))

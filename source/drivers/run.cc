@@ -3,6 +3,7 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
+#include "ricochet/drivers/interface_report.h"
 #include "ricochet/drivers/interruption.h"
 #include "ricochet/drivers/outcome.h"
 #include "ricochet/drivers/simulation.h"
@@ -59,6 +60,7 @@ const std::vector<History::Column> history_columns{{"time", "us"},
                                                    {"energy debris", "J"},
                                                    {"work friction", "J"},
                                                    {"energy fracture", "J"},
+                                                   {"energy viscous", "J"},
                                                    {"energy residual", "J"},
                                                    {"residual relative", "-"},
                                                    {"broken bonds", "-"}};
@@ -101,6 +103,7 @@ public:
     n_points_      = simulation_.n_points();
     n_bonds_       = simulation_.n_bonds();
     start_momenta_ = simulation_.momenta();
+    interfaces_    = interface_reports(communicator, simulation_);
   }
 
   nlohmann::ordered_json operator()()
@@ -196,6 +199,7 @@ private:
                       energies_.debris,
                       energies_.friction,
                       energies_.fracture,
+                      energies_.viscous,
                       energies_.residual(),
                       residual(),
                       broken_bonds_});
@@ -214,13 +218,15 @@ private:
   {
     while (next_frame_ <= simulation_.time())
       next_frame_ += scene_.output.frame_interval;
-    frames_->write(simulation_.time(), simulation_.points(), simulation_.surface());
+    frames_->write(simulation_.time(), simulation_.points(), simulation_.surface(),
+                   simulation_.elements());
   }
 
-  double residual() const
+  double share(const double energy) const
   {
-    return energies_.initial > 0. ? energies_.residual() / energies_.initial : 0.;
+    return energies_.initial > 0. ? energy / energies_.initial : 0.;
   }
+  double residual() const { return share(energies_.residual()); }
 
   double elapsed() const
   {
@@ -277,6 +283,16 @@ private:
         z["interface_reached_us"] =
             watch.reached() >= 0. ? nlohmann::ordered_json(watch.reached() / us) : nullptr;
       }
+      for (const auto &report : interfaces_)
+        if (report.plate == i)
+        {
+          z["ghost_force"]              = report.patch.ghost_force;
+          z["strain_error"]             = report.patch.strain_error;
+          z["largest_frequency_rad_us"] = 1e-6 * report.frequency;
+          z["step_limit_us"]            = report.step_limit / us;
+          z["share_of_cost"]            = report.share_of_cost();
+          z["limits_kept"]              = report.good();
+        }
       all.push_back(z);
     }
     return all;
@@ -320,6 +336,7 @@ private:
     s["path_mm"]                = watch_.path() / mm;
     s["time_us"]                = simulation_.time() / us;
     s["energy_residual"]        = residual();
+    s["energy_viscous"]         = share(energies_.viscous);
     s["momentum_drift"]         = drift(momenta.linear, start_momenta_.linear);
     s["angular_momentum_drift"] = drift(momenta.angular, start_momenta_.angular);
     s["deepest_penetration_dx"] = deepest_;
@@ -353,6 +370,7 @@ private:
   std::unique_ptr<History> history_;
   std::unique_ptr<FieldWriter> frames_;
   MomentumBalance start_momenta_;
+  std::vector<InterfaceReport> interfaces_; // at the start
   EnergyBalance energies_{};
   int n_ranks_;
   double n_points_, n_bonds_, broken_bonds_ = 0.;

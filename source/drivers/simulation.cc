@@ -3,9 +3,11 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/drivers/element_frame.h"
 #include "ricochet/dynamics/coupled_time_step.h"
 #include "ricochet/dynamics/stable_time_step.h"
 
+#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -84,9 +86,13 @@ void Simulation::build_plates()
     top -= thickness;
 
     const auto &law = bond_law(material.bond_model);
-    const PeridynamicMaterial bonds{&law, material.density, material.bulk_modulus,
+    const PeridynamicMaterial bonds{&law,
+                                    material.density,
+                                    material.bulk_modulus,
                                     material.shear_modulus,
-                                    ricochet::critical_stretch(material, stencil)};
+                                    ricochet::critical_stretch(material, stencil),
+                                    relaxing_within(material.relaxation, scene_.time.end_time),
+                                    material.history_precision};
     zones_.push_back(plate_zone(scene_, plate, box, stencil));
     auto &zone = zones_.back();
     plates_.push_back(std::make_unique<PeridynamicForce>(communicator_, static_cast<int>(i), box,
@@ -158,7 +164,8 @@ void Simulation::build_projectile()
 
 void Simulation::choose_time_step()
 {
-  double largest  = 0.;
+  double largest = 0.;
+  std::vector<double> elastic_seconds;
   time_step_info_ = {0., 0., 0.};
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
@@ -176,9 +183,40 @@ void Simulation::choose_time_step()
       time_step_info_.frequency     = std::sqrt(estimate.squared_frequency);
       time_step_info_.contact_share = contact / largest;
     }
-    time_step_info_.seconds_per_step += estimate.seconds_per_force;
+    elastic_seconds.push_back(estimate.seconds_per_force);
+    frequencies_.push_back(estimate);
   }
   dt_ = scene_.time.safety_factor * 2. / std::sqrt(largest);
+  start_relaxation(elastic_seconds);
+}
+
+void Simulation::start_relaxation(const std::vector<double> &elastic_seconds)
+{
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+  {
+    double seconds = elastic_seconds[i];
+    auto &plate    = *plates_[i];
+    if (far_fields_[i])
+      far_fields_[i]->start_relaxation(dt_);
+    else
+      plate.start_relaxation(dt_);
+    if (plate.history() != nullptr)
+    {
+      // A step at rest, timed when the memory has been touched, and then from no history again.
+      for (int call = 0; call < 4; ++call)
+      {
+        const auto start = std::chrono::steady_clock::now();
+        plate.update_ghosts();
+        plate.evaluate(/*breaking=*/false, /*energy=*/false);
+        seconds = std::max(
+            elastic_seconds[i],
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      }
+      plate.start_relaxation(dt_);
+      MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+    }
+    time_step_info_.seconds_per_step += seconds;
+  }
 }
 
 void Simulation::evaluate(const bool energy)
@@ -272,6 +310,7 @@ EnergyBalance Simulation::energies() const
       e.kinetic += multiplicity_ * sum.kinetic;
       e.strain += multiplicity_ * sum.strain;
       e.hourglass += multiplicity_ * sum.hourglass;
+      e.viscous += multiplicity_ * sum.viscous;
       e.conversion += multiplicity_ * zone_watches_[i]->loss();
     }
     else
@@ -279,6 +318,7 @@ EnergyBalance Simulation::energies() const
       const auto sum = plates_[i]->energies(dt_);
       e.kinetic += multiplicity_ * sum.kinetic;
       e.strain += multiplicity_ * sum.strain;
+      e.viscous += multiplicity_ * sum.viscous;
     }
     e.friction -= contacts_[i].work_on_points();
     e.fracture += fractures_[i].total(communicator_).energy;
@@ -463,6 +503,15 @@ PointFrame Simulation::points() const
           frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
         });
   }
+  return frame;
+}
+
+ElementFrame Simulation::elements() const
+{
+  ElementFrame frame;
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+    if (far_fields_[i])
+      add_elements(*far_fields_[i], static_cast<int>(i) + 1, frame);
   return frame;
 }
 

@@ -68,8 +68,8 @@ double ZoneWatch::energy(const double dt)
 {
   auto &points = far_field_.points();
   points.update_ghosts();
-  points.evaluate(/*breaking=*/false, /*energy=*/true);
-  far_field_.evaluate(/*energy=*/true);
+  points.evaluate(/*breaking=*/false, /*energy=*/true, /*is_step=*/false);
+  far_field_.evaluate(/*energy=*/true, /*is_step=*/false);
   return far_field_.energies(dt).total();
 }
 

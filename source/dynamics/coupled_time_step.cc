@@ -92,25 +92,7 @@ public:
     plate_.evaluate(/*energy=*/false);
   }
 
-  void rest()
-  {
-    for_each_free(
-        [&](const std::ptrdiff_t p)
-        {
-          const Vector3 x = reference(p);
-          for (int d = 0; d < 3; ++d)
-          {
-            a_.position[d][p] = x[d];
-            a_.force[d][p]    = 0.;
-          }
-        });
-    points_.state().zero(lattice_, a_.theta);
-    elements_.position() = elements_.mesh().reference();
-    std::fill(elements_.velocity().begin(), elements_.velocity().end(), 0.);
-    std::fill(elements_.force().begin(), elements_.force().end(), 0.);
-    plate_.lead();
-    points_.update_ghosts();
-  }
+  void rest() { plate_.rest(); }
 
 private:
   template <class Visitor>

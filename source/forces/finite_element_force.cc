@@ -32,6 +32,27 @@ double youngs_modulus(const FiniteElementMaterial &m)
 
 /// Row and column of a symmetric matrix in the order of HexTensors.
 constexpr int voigt_row[6] = {0, 1, 2, 1, 0, 0}, voigt_column[6] = {0, 1, 2, 2, 2, 1};
+
+/// S += C : E with the mean of the Gauss points' tensors.
+void add_mean_product(const HexTensors &tensors, const int lane, const Eigen::Matrix3d &E,
+                      Eigen::Matrix3d &S)
+{
+  const auto add = [&](const int to, const int from, const double share)
+  {
+    const double value = share * (from < 3 ? 1. : 2.) * E(voigt_row[from], voigt_column[from]);
+    S(voigt_row[to], voigt_column[to]) += value;
+    if (to >= 3)
+      S(voigt_column[to], voigt_row[to]) += value;
+  };
+  for (const auto &c : tensors.c)
+    for (int i = 0, k = 0; i < 6; ++i)
+      for (int j = i; j < 6; ++j, ++k)
+      {
+        add(i, j, c[k][lane] / 8.);
+        if (j > i)
+          add(j, i, c[k][lane] / 8.);
+      }
+}
 } // namespace
 
 FiniteElementForce::FiniteElementForce(const MPI_Comm communicator, const HexMesh::Box &box,
@@ -59,7 +80,15 @@ void FiniteElementForce::set_active(const std::function<bool(const Vector3 &)> &
   active_.clear();
   for (const auto &element : mesh_.elements())
     active_.push_back(!active || active(mesh_.centre(element)));
+  auto past = memories();
+  for (std::size_t e = 0; e < past.size(); ++e)
+    if (!active_[e])
+    {
+      dissipated_elsewhere_ += past[e].dissipated;
+      past[e] = {};
+    }
   set_stiffness({});
+  past_ = std::move(past); // for the tensors that may follow: Gauss points stay apart
   lump_mass();
 }
 
@@ -210,8 +239,14 @@ void FiniteElementForce::set_stiffness(const std::vector<ElementStiffness> &stif
   std::vector<const ElementStiffness *> own(active_.size(), nullptr);
   for (const auto &entry : stiffness)
     own[entry.element] = &entry;
-  for (auto &group : groups_)
-    group = {};
+  const auto past = past_.empty() ? memories() : past_;
+  past_.clear();
+  for (int number : {shared_moduli, own_tensors})
+  {
+    groups_[number] = {};
+    groups_[number].n_points =
+        number == shared_moduli && options_.quadrature == Quadrature::one_point ? 1 : 8;
+  }
   place_.clear();
   for (std::size_t e = 0; e < active_.size(); ++e)
   {
@@ -228,11 +263,17 @@ void FiniteElementForce::set_stiffness(const std::vector<ElementStiffness> &stif
 
   auto &group = groups_[own_tensors];
   group.tensors.assign(group.blocks.size(), HexTensors{});
+  group.shear = group.tensors;
   for (std::size_t i = 0; i < group.elements.size(); ++i)
     for (int point = 0; point < 8; ++point)
       for (int k = 0; k < HexTensors::n_entries; ++k)
+      {
         group.tensors[i / block_size].c[point][k][i % block_size] =
             own[group.elements[i]]->tensors[point][k];
+        group.shear[i / block_size].c[point][k][i % block_size] =
+            own[group.elements[i]]->shear[point][k];
+      }
+  restore(past);
 }
 
 void FiniteElementForce::fill(Group &group) const
@@ -263,6 +304,128 @@ HexGroup FiniteElementForce::view(const Group &group) const
           k / 144.};
 }
 
+void FiniteElementForce::start_relaxation(const double dt)
+{
+  check_series(material_.relaxation);
+  check_step(material_.relaxation, dt);
+  branches_.clear();
+  for (const auto &branch : material_.relaxation)
+    branches_.push_back(maxwell_step(branch, dt));
+  restore({});
+}
+
+std::size_t FiniteElementForce::row(const Group &group, const int index, const int point,
+                                    const int branch) const
+{
+  const std::size_t block = index / block_size;
+  return ((block * group.n_points + point) * (1 + branches_.size()) + branch) * 6 * block_size +
+         index % block_size;
+}
+
+std::vector<FiniteElementForce::Memory> FiniteElementForce::memories() const
+{
+  std::vector<Memory> memories(relaxes() ? place_.size() : 0);
+  for (std::size_t e = 0; e < memories.size(); ++e)
+  {
+    const auto &place = place_[e];
+    if (place.group < 0 || groups_[place.group].history.empty())
+      continue;
+    const auto &group      = groups_[place.group];
+    memories[e].dissipated = group.dissipated[place.index];
+    for (int point = 0; point < group.n_points; ++point)
+    {
+      auto &values = memories[e].points.emplace_back();
+      for (std::size_t i = 0; i < 6 * (1 + branches_.size()); ++i)
+        values.push_back(group.history[row(group, place.index, point, 0) + i * block_size]);
+    }
+  }
+  return memories;
+}
+
+void FiniteElementForce::restore(const std::vector<Memory> &memories)
+{
+  if (!relaxes())
+    return;
+  for (auto &group : groups_)
+  {
+    group.history.assign(
+        group.blocks.size() * block_size * group.n_points * 6 * (1 + branches_.size()), 0.);
+    group.dissipated.assign(group.elements.size(), 0.);
+  }
+  for (std::size_t e = 0; e < memories.size(); ++e)
+  {
+    const auto &place  = place_[e];
+    const auto &memory = memories[e];
+    if (place.group < 0 || memory.points.empty())
+      continue;
+    auto &group                   = groups_[place.group];
+    group.dissipated[place.index] = memory.dissipated;
+    const int n_before            = static_cast<int>(memory.points.size());
+    for (int point = 0; point < group.n_points; ++point)
+      for (std::size_t i = 0; i < 6 * (1 + branches_.size()); ++i)
+      {
+        double value = 0.;
+        if (n_before == group.n_points)
+          value = memory.points[point][i];
+        else
+          for (const auto &there : memory.points)
+            value += there[i] / n_before;
+        group.history[row(group, place.index, point, 0) + i * block_size] = value;
+      }
+  }
+}
+
+Eigen::Matrix3d FiniteElementForce::history(const int element, const int branch) const
+{
+  const auto &place = place_[element];
+  Eigen::Matrix3d E = Eigen::Matrix3d::Zero();
+  if (place.group < 0 || !relaxes())
+    return E;
+  const auto &group = groups_[place.group];
+  for (int point = 0; point < group.n_points; ++point)
+    for (int i = 0; i < 6; ++i)
+      E(voigt_row[i], voigt_column[i]) +=
+          0.5 * group.history[row(group, place.index, point, 0) + i * block_size] / group.n_points;
+  for (int i = 3; i < 6; ++i)
+    E(voigt_column[i], voigt_row[i]) = E(voigt_row[i], voigt_column[i]);
+  const auto &step = branches_[branch];
+  return step.decay * back_strain(element, branch) + (1. - step.decay - step.lag) * E;
+}
+
+Eigen::Matrix3d FiniteElementForce::back_strain(const int element, const int branch) const
+{
+  const auto &place   = place_[element];
+  Eigen::Matrix3d E_b = Eigen::Matrix3d::Zero();
+  if (place.group < 0 || !relaxes())
+    return E_b;
+  const auto &group = groups_[place.group];
+  for (int point = 0; point < group.n_points; ++point)
+    for (int i = 0; i < 6; ++i)
+    {
+      const double twice =
+          group.history[row(group, place.index, point, 0) + i * block_size] -
+          group.history[row(group, place.index, point, 1 + branch) + i * block_size];
+      E_b(voigt_row[i], voigt_column[i]) += 0.5 * twice / group.n_points;
+    }
+  for (int i = 3; i < 6; ++i)
+    E_b(voigt_column[i], voigt_row[i]) = E_b(voigt_row[i], voigt_column[i]);
+  return E_b;
+}
+
+void FiniteElementForce::set_back_strain(const int element, const int branch,
+                                         const Eigen::Matrix3d &E_b)
+{
+  const auto &place = place_[element];
+  if (place.group < 0 || !relaxes())
+    return;
+  auto &group = groups_[place.group];
+  for (int point = 0; point < group.n_points; ++point)
+    for (int i = 0; i < 6; ++i)
+      group.history[row(group, place.index, point, 1 + branch) + i * block_size] =
+          group.history[row(group, place.index, point, 0) + i * block_size] -
+          2. * E_b(voigt_row[i], voigt_column[i]);
+}
+
 void FiniteElementForce::fix(const int node, const int component)
 {
   if (node < mesh_.n_owned_nodes())
@@ -278,21 +441,43 @@ void FiniteElementForce::update_ghosts()
   }
 }
 
-void FiniteElementForce::evaluate(const bool energy)
+void FiniteElementForce::evaluate(const bool energy, const bool is_step)
 {
+  past_.clear();
+  std::array<std::vector<double>, 4> kept;
+  if (relaxes() && !is_step)
+    kept = {groups_[0].history, groups_[1].history, groups_[0].dissipated, groups_[1].dissipated};
   std::fill(force_.begin(), force_.end(), 0.);
   for (int number : {shared_moduli, own_tensors})
   {
     auto &group = groups_[number];
     const HexArrays arrays{position_.data(), force_.data(), group.strain_energy.data(),
                            group.hourglass_energy.data()};
-    const auto &k   = *kernel_;
+    const auto &k = *kernel_;
+    if (relaxes())
+    {
+      const auto loop = number == own_tensors
+                            ? (energy ? k.relaxing_own_tensors_and_energy : k.relaxing_own_tensors)
+                        : options_.quadrature == Quadrature::one_point
+                            ? (energy ? k.relaxing_one_point_and_energy : k.relaxing_one_point)
+                            : (energy ? k.relaxing_integrated_and_energy : k.relaxing_integrated);
+      loop(arrays, view(group),
+           {static_cast<int>(branches_.size()), branches_.data(), group.history.data(),
+            group.shear.data(), group.dissipated.data()});
+      continue;
+    }
     const auto loop = number == own_tensors ? (energy ? k.own_tensors_and_energy : k.own_tensors)
                       : options_.quadrature == Quadrature::one_point
                           ? (energy ? k.one_point_and_energy : k.one_point)
                           : (energy ? k.integrated_and_energy : k.integrated);
     loop(arrays, view(group));
   }
+  if (relaxes() && !is_step)
+    for (int number : {0, 1})
+    {
+      groups_[number].history    = std::move(kept[number]);
+      groups_[number].dissipated = std::move(kept[2 + number]);
+    }
   mesh_.add_to_owners(force_.data());
 }
 
@@ -306,7 +491,7 @@ void FiniteElementForce::advance(const double kick, const double drift)
 
 FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
 {
-  std::array<double, 3> sums{};
+  std::array<double, 4> sums{};
   const auto kinetic = [&](const int i, const double momentum)
   { return 0.5 * momentum * (velocity_[i] + dt * force_[i] * inverse_mass_[i]); };
   for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
@@ -324,8 +509,12 @@ FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
     for (const double energy : group.hourglass_energy)
       sums[2] += energy;
   }
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
-  return {sums[0], sums[1], sums[2]};
+  for (const auto &group : groups_)
+    for (const double energy : group.dissipated)
+      sums[3] += energy;
+  sums[3] += dissipated_elsewhere_;
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, communicator_);
+  return {sums[0], sums[1], sums[2], sums[3]};
 }
 
 double FiniteElementForce::squared_force() const
@@ -400,31 +589,25 @@ Eigen::Matrix3d FiniteElementForce::stress(const int element) const
   const auto &place       = place_[element];
   const Eigen::Matrix3d F = deformation_gradient(element);
   const Eigen::Matrix3d E = 0.5 * (F.transpose() * F - Eigen::Matrix3d::Identity());
-  Eigen::Matrix3d S       = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d relaxed = Eigen::Matrix3d::Zero(); // sum lambda_k E_b,k
+  for (std::size_t k = 0; k < branches_.size(); ++k)
+    relaxed += branches_[k].share * back_strain(element, static_cast<int>(k));
+  const double mu   = material_.shear_modulus;
+  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
   if (place.group == shared_moduli)
   {
-    const double lambda = material_.bulk_modulus - 2. / 3. * material_.shear_modulus;
-    S = lambda * E.trace() * Eigen::Matrix3d::Identity() + 2. * material_.shear_modulus * E;
+    const double lambda = material_.bulk_modulus - 2. / 3. * mu;
+    S                   = lambda * E.trace() * Eigen::Matrix3d::Identity() + 2. * mu * E;
+    if (relaxes())
+      S -= 2. * mu * (relaxed - relaxed.trace() / 3. * Eigen::Matrix3d::Identity());
   }
   else if (place.group == own_tensors)
   {
-    const auto &tensors = groups_[own_tensors].tensors[place.index / block_size];
-    for (const auto &c : tensors.c)
-      for (int i = 0, k = 0; i < 6; ++i)
-        for (int j = i; j < 6; ++j, ++k)
-        {
-          const double share = c[k][place.index % block_size] / 8.;
-          const auto add     = [&](const int to, const int from)
-          {
-            S(voigt_row[to], voigt_column[to]) +=
-                share * (from < 3 ? 1. : 2.) * E(voigt_row[from], voigt_column[from]);
-          };
-          add(i, j);
-          if (j > i)
-            add(j, i);
-        }
-    for (int i = 3; i < 6; ++i)
-      S(voigt_column[i], voigt_row[i]) = S(voigt_row[i], voigt_column[i]);
+    const auto &group = groups_[own_tensors];
+    add_mean_product(group.tensors[place.index / block_size], place.index % block_size, E, S);
+    if (relaxes())
+      add_mean_product(group.shear[place.index / block_size], place.index % block_size, -relaxed,
+                       S);
   }
   return S;
 }

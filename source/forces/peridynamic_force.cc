@@ -128,11 +128,40 @@ void PeridynamicForce::follow_zone(const int first, const int last)
   const std::size_t n = shifts_.size();
   auto bonds          = initial_bonds_;
   lattice_.set_intact_bonds(from, to, bonds.data());
+  new_bonds_.assign(history_ ? bonds.size() : 0, 0);
   for (std::size_t i = from * n; i < to * n; ++i)
+  {
     state_.arrays.bonds[i] |= bonds[i] & ~initial_bonds_[i];
+    if (history_)
+      new_bonds_[i] = bonds[i] & ~initial_bonds_[i];
+  }
   initial_bonds_ = std::move(bonds);
   set_families();
   find_bond_ranges();
+}
+
+void PeridynamicForce::continue_history(TensorFields &histories)
+{
+  for (auto &tensor : histories)
+    for (int i = 0; i < 6; ++i)
+    {
+      double *const field = tensor[i].data();
+      halo_.exchange({field});
+      // 23 and 12 change their sign in the mirror.
+      const double sign = i == 3 || i == 5 ? -1. : 1.;
+      lattice_.for_each_image([&](const std::ptrdiff_t image, const std::ptrdiff_t original)
+                              { field[image] = sign * field[original]; });
+    }
+  history_->take_over(state_.arrays, new_bonds_,
+                      [&](const std::ptrdiff_t p, const int k)
+                      {
+                        const auto &t = histories[k];
+                        Eigen::Matrix3d G;
+                        G << t[0][p], t[5][p], t[4][p], t[5][p], t[1][p], t[3][p], t[4][p], t[3][p],
+                            t[2][p];
+                        return G;
+                      });
+  new_bonds_.clear();
 }
 
 std::vector<std::ptrdiff_t>
@@ -168,6 +197,23 @@ PeridynamicForce::points_stretched(const double stretch,
   return points;
 }
 
+void PeridynamicForce::start_relaxation(const double dt)
+{
+  history_.reset();
+  if (material_.relaxation.empty())
+    return;
+  if (kernel_->relaxing_force == nullptr)
+    throw InputError(std::string("The bond model '") + material_.law->name +
+                     "' has no shear modulus of its own that could relax. Use 'linear peridynamic "
+                     "solid' or leave out the relaxation times.");
+  check_series(material_.relaxation);
+  check_step(material_.relaxation, dt);
+  history_ = std::make_unique<BondHistory>(
+      lattice_,
+      family_constants(lattice_.stencil(), material_.bulk_modulus, material_.shear_modulus),
+      unbreakable_constants_, material_.relaxation, material_.history_precision, dt);
+}
+
 void PeridynamicForce::update_ghosts()
 {
   auto &a = state_.arrays;
@@ -176,13 +222,15 @@ void PeridynamicForce::update_ghosts()
   state_.mirror_motion(lattice_);
 }
 
-void PeridynamicForce::evaluate(const bool breaking, const bool energy)
+void PeridynamicForce::evaluate(const bool breaking, const bool energy, const bool is_step)
 {
   // Bonds between a ghost and an owned point are visited on both ranks: the sums of owned points
   // are then complete, and made in the same order as on one rank, without sending anything home.
   auto &a           = state_.arrays;
   const auto &table = breaking ? table_ : unbreakable_table_;
 
+  if (history_)
+    history_->begin(a);
   std::swap(a.theta, a.theta_before);
   state_.zero(lattice_, a.theta);
   n_broken_             = 0;
@@ -197,8 +245,11 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy)
   if (material_.law->has_dilatation)
   {
     weigh_dilatation();
-    halo_.exchange({a.theta});
-    state_.mirror_theta(lattice_);
+    if (history_)
+      history_->close_theta(a, broken_.data(), n_broken_);
+    double *const shared = history_ ? history_->volumetric() : a.theta;
+    halo_.exchange({shared});
+    state_.mirror(lattice_, shared);
   }
   for (std::size_t i = 0; i < n_broken_; ++i)
     for (int lane = 0; lane < Lattice::block_size; ++lane)
@@ -211,8 +262,26 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy)
 
   for (double *f : a.force)
     state_.zero(lattice_, f);
-  if (energy)
+  const bool measure = energy || (history_ && history_->measurement_is_due());
+  if (measure)
     state_.zero(lattice_, a.energy);
+  if (history_)
+  {
+    const auto bonds = history_->bonds(is_step);
+    if (measure)
+      state_.zero(lattice_, bonds.dissipated);
+    const auto relax_with = [&](const auto kernel, const std::vector<Lattice::BlockRange> &ranges)
+    {
+      for (const auto &range : ranges)
+        kernel(a, table, bonds, range.first, range.last);
+    };
+    const auto &k = *kernel_;
+    relax_with(measure ? k.relaxing_force_and_energy : k.relaxing_force, free_ranges_);
+    relax_with(measure ? k.weighted_relaxing_force_and_energy : k.weighted_relaxing_force,
+               held_ranges_);
+    history_->end(a, measure, is_step);
+    return;
+  }
   const auto add_with = [&](const auto kernel, const std::vector<Lattice::BlockRange> &ranges)
   {
     for (const auto &range : ranges)
@@ -257,7 +326,7 @@ PeridynamicForce::Energies PeridynamicForce::energies(const double dt) const
         sum[1] += a.energy[p];
       });
   const auto sum = sums.total(communicator_);
-  return {sum[0], sum[1]};
+  return {sum[0], sum[1], history_ ? history_->dissipated(communicator_) : 0.};
 }
 
 PeridynamicForce::Momenta PeridynamicForce::momenta() const

@@ -12,7 +12,8 @@ FieldWriter::FieldWriter(const MPI_Comm comm, const std::filesystem::path &direc
 {
 }
 
-void FieldWriter::write(const double time, const PointFrame &points, const SurfaceFrame &surface)
+void FieldWriter::write(const double time, const PointFrame &points, const SurfaceFrame &surface,
+                        const ElementFrame &elements)
 {
   const std::size_t n = points.position.size();
   assert(points.displacement.size() == n && points.velocity.size() == n &&
@@ -20,9 +21,9 @@ void FieldWriter::write(const double time, const PointFrame &points, const Surfa
   assert(points.dilatation.size() == n && points.body.size() == n && points.in_section.size() == n);
   (void) n;
 
-  section_.write(n_frames_, time, points, surface);
+  section_.write(n_frames_, time, points, surface, elements);
   if (vtu_)
-    vtu_->write(n_frames_, time, points, surface);
+    vtu_->write(n_frames_, time, points, surface, elements);
   ++n_frames_;
 }
 } // namespace ricochet

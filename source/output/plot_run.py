@@ -311,6 +311,7 @@ def draw_path(axes, history):
 # Stacked from below; what the projectile keeps is drawn last, so that the top edge is the conserved total.
 ENERGIES = [
     ("energy fracture", "fracture", VERMILION),
+    ("energy viscous", "viscosity", "#8C564B"),
     ("work friction", "friction", ORANGE),
     ("energy debris", "debris contact", "#F0E442"),
     ("energy contact", "contact", PURPLE),
@@ -322,7 +323,8 @@ ENERGIES = [
 
 def draw_energies(axes, history):
     """Where the projectile's energy has gone, as layers."""
-    present = [(history[name], label, color) for name, label, color in ENERGIES if name in history]
+    present = [(history[name], label, color) for name, label, color in ENERGIES
+               if name in history and (name != "energy viscous" or np.any(history[name]))]
     if not present:
         return
     values = np.array([value for value, _, _ in present])

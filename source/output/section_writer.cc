@@ -53,7 +53,7 @@ SectionWriter::SectionWriter(const MPI_Comm comm, const std::filesystem::path &d
 }
 
 void SectionWriter::write(const unsigned int number, const double time, const PointFrame &points,
-                          const SurfaceFrame &surface)
+                          const SurfaceFrame &surface, const ElementFrame &elements)
 {
   std::vector<Vector3> position;
   std::vector<float> damage, body;
@@ -64,6 +64,11 @@ void SectionWriter::write(const unsigned int number, const double time, const Po
       damage.push_back(static_cast<float>(points.damage[i]));
       body.push_back(static_cast<float>(points.body[i]));
     }
+  position.insert(position.end(), elements.section_position.begin(),
+                  elements.section_position.end());
+  damage.resize(position.size(), 0.f); // elements do not break
+  for (const int number : elements.section_body)
+    body.push_back(static_cast<float>(number));
   const std::vector<float> all_positions = gather(comm_, flattened(position));
   const std::vector<float> all_damage    = gather(comm_, damage);
   const std::vector<float> all_bodies    = gather(comm_, body);

@@ -87,6 +87,31 @@ std::vector<dealii::DataOutBase::Patch<2, 3>> patches_of(const SurfaceFrame &sur
   return patches;
 }
 
+std::vector<dealii::DataOutBase::Patch<3, 3>> patches_of(const ElementFrame &elements)
+{
+  std::vector<dealii::DataOutBase::Patch<3, 3>> patches(elements.corners.size());
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    auto &patch = patches[i];
+    for (unsigned int v = 0; v < 8; ++v)
+      patch.vertices[v] = to_point(elements.corners[i][v]);
+    patch.patch_index    = static_cast<unsigned int>(i);
+    patch.n_subdivisions = 1;
+    patch.reference_cell = dealii::ReferenceCells::Hexahedron;
+    patch.data.reinit(column_names.size(), 8); // zero
+    for (unsigned int v = 0; v < 8; ++v)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        patch.data(d, v)     = static_cast<float>(elements.displacement[i][d]);
+        patch.data(3 + d, v) = static_cast<float>(elements.velocity[i][d]);
+      }
+      patch.data(8, v) = static_cast<float>(elements.body[i]);
+    }
+  }
+  return patches;
+}
+
 std::string numbered(const char *format, const unsigned int number, const unsigned int rank = 0)
 {
   char name[64];
@@ -101,22 +126,23 @@ VtuWriter::VtuWriter(const MPI_Comm comm, const std::filesystem::path &directory
   on_first_rank(comm_, [&] { make_directory(directory_ / "vtu"); });
 }
 
-void VtuWriter::write(const unsigned int number, const double time, const PointFrame &points,
-                      const SurfaceFrame &surface)
+/// One piece per rank and a record of all of them. Collective.
+template <class Frame>
+std::string VtuWriter::write_pieces(const std::string &name, const unsigned int number,
+                                    const double time, const Frame &frame) const
 {
-  const char *piece_format = "points_%04u.%03u.vtu";
+  const std::string piece_format = name + "_%04u.%03u.vtu";
   on_every_rank(comm_,
                 [&]
                 {
                   std::ostringstream piece;
-                  dealii::DataOutBase::write_vtu(patches_of(points), column_names, vector_fields,
+                  dealii::DataOutBase::write_vtu(patches_of(frame), column_names, vector_fields,
                                                  vtk_flags(time), piece);
-                  write_file(directory_ / "vtu" / numbered(piece_format, number, rank_in(comm_)),
+                  write_file(directory_ / "vtu" /
+                                 numbered(piece_format.c_str(), number, rank_in(comm_)),
                              piece.str());
                 });
-
-  const Entry entry{time, numbered("vtu/points_%04u.pvtu", number),
-                    numbered("vtu/projectile_%04u.vtu", number)};
+  const std::string record_name = numbered(("vtu/" + name + "_%04u.pvtu").c_str(), number);
   on_first_rank(comm_,
                 [&]
                 {
@@ -124,12 +150,27 @@ void VtuWriter::write(const unsigned int number, const double time, const PointF
                   MPI_Comm_size(comm_, &n_ranks);
                   std::vector<std::string> pieces;
                   for (int rank = 0; rank < n_ranks; ++rank)
-                    pieces.push_back(numbered(piece_format, number, rank));
+                    pieces.push_back(numbered(piece_format.c_str(), number, rank));
                   std::ostringstream record;
                   dealii::DataOutBase::write_pvtu_record(record, pieces, column_names,
                                                          vector_fields, vtk_flags(time));
-                  write_file(directory_ / entry.points, record.str());
+                  write_file(directory_ / record_name, record.str());
+                });
+  return record_name;
+}
 
+void VtuWriter::write(const unsigned int number, const double time, const PointFrame &points,
+                      const SurfaceFrame &surface, const ElementFrame &elements)
+{
+  Entry entry{time, write_pieces("points", number, time, points),
+              numbered("vtu/projectile_%04u.vtu", number), ""};
+  int n_elements = static_cast<int>(elements.corners.size());
+  MPI_Allreduce(MPI_IN_PLACE, &n_elements, 1, MPI_INT, MPI_SUM, comm_);
+  if (n_elements > 0)
+    entry.elements = write_pieces("elements", number, time, elements);
+  on_first_rank(comm_,
+                [&]
+                {
                   write_projectile(entry.projectile, time, surface);
                   entries_.resize(number); // without the entry of an attempt that failed
                   entries_.push_back(entry);
@@ -152,10 +193,14 @@ void VtuWriter::write_index() const
   text
       << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
   for (const Entry &entry : entries_)
-    for (unsigned int part = 0; part < 2; ++part)
-      text << "    <DataSet timestep=\"" << entry.time << "\" part=\"" << part << "\" name=\""
-           << (part == 0 ? "points" : "projectile") << "\" file=\""
-           << (part == 0 ? entry.points : entry.projectile) << "\"/>\n";
+  {
+    const std::pair<const char *, const std::string &> parts[]{
+        {"points", entry.points}, {"projectile", entry.projectile}, {"elements", entry.elements}};
+    for (unsigned int part = 0; part < 3; ++part)
+      if (!parts[part].second.empty())
+        text << "    <DataSet timestep=\"" << entry.time << "\" part=\"" << part << "\" name=\""
+             << parts[part].first << "\" file=\"" << parts[part].second << "\"/>\n";
+  }
   text << "  </Collection>\n</VTKFile>\n";
   write_file(directory_ / "results.pvd", text.str());
 }

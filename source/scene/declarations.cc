@@ -19,6 +19,11 @@ PatternPointer quantity(const Dimension dimension, const Limit limit,
   return std::make_shared<QuantityPattern>(dimension, limit, components);
 }
 
+PatternPointer quantity_list(const Dimension dimension, const Limit limit)
+{
+  return std::make_shared<QuantityPattern>(QuantityPattern::list(dimension, limit));
+}
+
 PatternPointer choice(const std::vector<std::string> &choices)
 {
   return std::make_shared<ChoicePattern>(choices);
@@ -188,7 +193,15 @@ SectionDeclaration material(const std::string &name)
                     "Relative elongation at which a bond breaks"),
            optional("Energy release rate", quantity(Dimension::surface_energy, Limit::positive),
                     "500 J/m2",
-                    "Instead of the critical stretch, the energy that a unit of crack area takes")},
+                    "Instead of the critical stretch, the energy that a unit of crack area takes"),
+           optional("Relaxation shares", quantity_list(Dimension::number, Limit::positive),
+                    "0.146, 0.541",
+                    "Shares of the shear modulus, which is the one of a sudden load, that relax; "
+                    "without them the material is elastic"),
+           optional("Relaxation times", quantity_list(Dimension::time, Limit::positive),
+                    "15.3 s, 95.4 us", "Relaxation times that belong to the shares"),
+           with_default("History precision", choice({"single", "double"}), "single",
+                        "Floating-point numbers that hold the strain history of the bonds")},
           {{{{"Bulk modulus", "Shear modulus"}, {"Young's modulus", "Poisson's ratio"}}},
            {{{"Critical stretch"}, {"Energy release rate"}}}}};
 }

@@ -15,6 +15,13 @@ QuantityPattern::QuantityPattern(const Dimension dimension, const Limit limit,
 {
 }
 
+QuantityPattern QuantityPattern::list(const Dimension dimension, const Limit limit)
+{
+  QuantityPattern pattern(dimension, limit);
+  pattern.n_values_ = 0;
+  return pattern;
+}
+
 std::string QuantityPattern::problem(const std::string &value) const
 {
   return parse_quantities(value, dimension_, limit_, n_values_).problem;
@@ -31,7 +38,9 @@ std::string QuantityPattern::expected() const
     text += " of 0 or more";
   if (limit_ == Limit::fraction)
     text += " from 0 to 1";
-  return dimension_ == Dimension::number ? text : text + " in " + unit_names(dimension_);
+  if (dimension_ != Dimension::number)
+    text += " in " + unit_names(dimension_);
+  return n_values_ > 0 ? text : "one or more values separated by commas, each " + text;
 }
 
 std::unique_ptr<dealii::Patterns::PatternBase> QuantityPattern::clone() const

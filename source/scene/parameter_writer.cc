@@ -51,6 +51,17 @@ bool is_alternative(const SectionDeclaration &section, const std::string &name)
         return true;
   return false;
 }
+/// Whether nothing happens without the entry: no default, and no choice asks for it.
+bool is_extra(const SectionDeclaration &section, const EntryDeclaration &entry)
+{
+  if (entry.presence == Presence::required || !entry.default_value.empty())
+    return false;
+  for (const auto &choice : section.choices)
+    for (const auto &option : choice.options)
+      if (std::find(option.begin(), option.end(), entry.name) != option.end())
+        return false;
+  return true;
+}
 } // namespace
 
 void write_parameters(const Parameters &parameters, std::ostream &out)
@@ -95,7 +106,9 @@ void write_template(const std::vector<SectionDeclaration> &sections, std::ostrea
       write_comment(entry.documentation + ": " + entry.pattern->expected() + ".", indent, out);
       const bool named_after_file =
           !entry.default_value.empty() && entry.default_value != entry.example;
-      out << indent << (named_after_file || is_alternative(section, entry.name) ? "# set " : "set ")
+      const bool commented_out =
+          named_after_file || is_alternative(section, entry.name) || is_extra(section, entry);
+      out << indent << (commented_out ? "# set " : "set ")
           << padded(entry.name, longest_name(section)) << " = " << entry.example << '\n';
     }
     if (!section.name.empty())

@@ -186,19 +186,20 @@ ParsedQuantities parse_quantities(const std::string &text, const Dimension dimen
                                   const Limit limit, const unsigned int n_values)
 {
   const auto parts = split(text, ',');
-  if (parts.size() != n_values && !(n_values == 1 && parts.size() == 2))
+  if (n_values > 0 && parts.size() != n_values && !(n_values == 1 && parts.size() == 2))
     return {{},
             "There are " + std::to_string(parts.size()) + " values instead of " +
                 std::to_string(n_values) + "."};
-  if (parts.size() != n_values)
+  if (n_values > 0 && parts.size() != n_values)
     return {{}, "One value is expected; the decimal mark is a point, not a comma."};
 
   ParsedQuantities result;
-  for (unsigned int i = 0; i < n_values; ++i)
+  for (unsigned int i = 0; i < parts.size(); ++i)
   {
     const auto parsed = parse_quantity(parts[i], dimension, limit);
     if (!parsed.problem.empty())
-      return {{}, (n_values == 1 ? "" : "Value " + std::to_string(i + 1) + ": ") + parsed.problem};
+      return {{},
+              (parts.size() == 1 ? "" : "Value " + std::to_string(i + 1) + ": ") + parsed.problem};
     result.values.push_back(parsed.value);
   }
   return result;

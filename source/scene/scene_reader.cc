@@ -270,6 +270,41 @@ ImpactParameters read_impact(const Parameters &parameters, const bool symmetric,
   return impact;
 }
 
+RelaxationSeries read_relaxation(const Parameters &parameters, const std::string &in)
+{
+  const std::string shares = "Relaxation shares", times = "Relaxation times";
+  for (const auto &[given, missing] : {std::pair{shares, times}, std::pair{times, shares}})
+    if (parameters.is_given(in, given) && !parameters.is_given(in, missing))
+      parameters.fail(in, given, "There are no '" + missing + "' that belong to them.",
+                      "Add them, one for each, or remove the line.");
+  if (!parameters.is_given(in, shares))
+    return {};
+
+  const auto share = parameters.quantities(in, shares), time = parameters.quantities(in, times);
+  if (share.size() != time.size())
+    parameters.fail(in, shares,
+                    "There are " + std::to_string(share.size()) + " shares, but " +
+                        std::to_string(time.size()) + " relaxation times.",
+                    "Give as many of the one as of the other.");
+  RelaxationSeries series;
+  for (std::size_t k = 0; k < share.size(); ++k)
+    series.push_back({share[k], time[k]});
+  try
+  {
+    check_series(series);
+  }
+  catch (const InputError &error)
+  {
+    parameters.fail(in, shares, error.what(), "Change shares or times of the section.");
+  }
+  if (!bond_law(parameters.text(in, "Bond model")).has_dilatation)
+    parameters.fail(in, shares,
+                    "The bond model '" + parameters.text(in, "Bond model") +
+                        "' has no shear modulus of its own that could relax.",
+                    "Choose 'linear peridynamic solid', or remove the relaxation.");
+  return series;
+}
+
 MaterialParameters read_material(const Parameters &parameters, const std::string &in)
 {
   MaterialParameters material{in.substr(std::string("Material ").size()),
@@ -289,6 +324,10 @@ MaterialParameters read_material(const Parameters &parameters, const std::string
     material.bulk_modulus  = E / (3. * (1. - 2. * nu));
     material.shear_modulus = E / (2. * (1. + nu));
   }
+
+  material.relaxation = read_relaxation(parameters, in);
+  if (parameters.text(in, "History precision") == "double")
+    material.history_precision = HistoryPrecision::double_precision;
 
   const double K = material.bulk_modulus, mu = material.shear_modulus;
   const double nu = (3. * K - 2. * mu) / (2. * (3. * K + mu));

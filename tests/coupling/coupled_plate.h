@@ -28,6 +28,7 @@ struct CoupledSample
   double horizon_ratio        = 3.;
   MPI_Comm communicator       = MPI_COMM_WORLD;
   const char *law             = "linear peridynamic solid";
+  RelaxationSeries relaxation = {};
 };
 
 /// I plus the strain with this number (11, 22, 33, 23, 13, 12; shear in the engineering sense).
@@ -56,7 +57,7 @@ struct CoupledPlate
     const double nu = sample.poisson_ratio;
     const double mu = 1e9 * (1. - 2. * nu) / (2. * (1. - nu)), K = 1e9 - 4. / 3. * mu;
     const PeridynamicMaterial material{&bond_law(sample.law), 1000., K, mu,
-                                       sample.critical_stretch};
+                                       sample.critical_stretch, sample.relaxation};
     Lattice::Box box{Vector3::Zero(), sample.spacing, {}, sample.mirror_y};
     for (int d = 0; d < 3; ++d)
       box.n[d] = 2 * sample.n_cells[d];

@@ -34,7 +34,7 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene, con
                   motion.orientation.coeffs().data() + 4);
       const auto e = simulation.energies();
       rows.insert(rows.end(), {e.projectile, e.kinetic, e.strain, e.contact, e.debris, e.friction,
-                               e.fracture, e.initial});
+                               e.fracture, e.initial, e.viscous});
       const auto m = simulation.momenta();
       add(m.linear);
       add(m.angular);
@@ -93,6 +93,18 @@ TEST(RankIndependence, BondBasedLawIsExactlyTheSame)
   scene.materials[0].bond_model    = "microelastic brittle";
   scene.materials[0].shear_modulus = 0.6 * scene.materials[0].bulk_modulus; // nu = 1/4
   expect_the_same_on_any_number_of_ranks(scene);
+}
+
+TEST(RankIndependence, RelaxingPlateIsExactlyTheSame)
+{
+  expect_the_same_on_any_number_of_ranks(
+      symmetric(relaxing(small_scene(), HistoryPrecision::single_precision)));
+}
+
+TEST(RankIndependence, TwoRelaxingPlatesWithDoubleHistoryAreExactlyTheSame)
+{
+  expect_the_same_on_any_number_of_ranks(
+      relaxing(two_plates(), HistoryPrecision::double_precision));
 }
 
 TEST(RankIndependence, PlateTooShortForTheRanksIsRefused)

@@ -31,6 +31,11 @@ TEST(BenchElements, PrintsOneJsonObjectPerElement)
     EXPECT_EQ(result["elements"], 512 - 1 + 8);
     EXPECT_EQ(result["ranks"], 1);
     EXPECT_GT(result["element_steps_per_second_per_core"], 0.);
+    options.branches = 1;
+    testing::internal::CaptureStdout();
+    bench_elements(MPI_COMM_SELF, options);
+    const auto relaxing = nlohmann::json::parse(testing::internal::GetCapturedStdout());
+    EXPECT_GT(relaxing["share_of_elastic_rate"], 0.);
   }
 }
 

@@ -12,24 +12,38 @@ namespace ricochet::tests
 {
 namespace
 {
-class RankAgreement : public testing::TestWithParam<Quadrature>
+struct RankCase
+{
+  Quadrature quadrature;
+  bool relaxing;
+};
+
+class RankAgreement : public testing::TestWithParam<RankCase>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Both, RankAgreement,
-                         testing::Values(Quadrature::one_point, Quadrature::full),
-                         [](const auto &info)
-                         { return info.param == Quadrature::one_point ? "OnePoint" : "Full"; });
+INSTANTIATE_TEST_SUITE_P(
+    Both, RankAgreement,
+    testing::Values(RankCase{Quadrature::one_point, false}, RankCase{Quadrature::full, false},
+                    RankCase{Quadrature::one_point, true}, RankCase{Quadrature::full, true}),
+    [](const auto &info)
+    {
+      return std::string(info.param.quadrature == Quadrature::one_point ? "OnePoint" : "Full") +
+             (info.param.relaxing ? "Relaxing" : "");
+    });
 
 TEST_P(RankAgreement, AMovingRefinedBodyWithAMirrorPlane)
 {
   FiniteElementForce::Options options;
-  options.quadrature = GetParam();
+  options.quadrature = GetParam().quadrature;
   options.active     = [](const Vector3 &X) // a corner is missing
   { return X.x() < 2e-3 || X.y() < 2e-3 || X.z() < 3e-3; };
-  auto box     = refined_box();
-  box.mirror_y = true;
-  FiniteElementForce together(MPI_COMM_WORLD, box, pmma(), options);
-  FiniteElementForce alone(MPI_COMM_SELF, box, pmma(), options);
+  auto box      = refined_box();
+  box.mirror_y  = true;
+  auto material = pmma();
+  if (GetParam().relaxing)
+    material.relaxation = {{0.3, 3e-6}, {0.3, 0.5e-6}};
+  FiniteElementForce together(MPI_COMM_WORLD, box, material, options);
+  FiniteElementForce alone(MPI_COMM_SELF, box, material, options);
   const double h = 0.25e-3; // the smallest edge
 
   const auto frequency = estimate_largest_frequency(MPI_COMM_WORLD, together);
@@ -58,8 +72,10 @@ TEST_P(RankAgreement, AMovingRefinedBodyWithAMirrorPlane)
         Random random(30);
         for (auto &tensor : stiffness.back().tensors)
           tensor = upper_triangle(random_tensor(random, 1e8)); // softer than the material
+        stiffness.back().shear.fill(upper_triangle(1e6 * Matrix6::Identity()));
       }
     body->set_stiffness(stiffness);
+    body->start_relaxation(dt);
     deform(*body, start);
     for (int step = 0; step < 200; ++step)
     {
@@ -95,6 +111,8 @@ TEST_P(RankAgreement, AMovingRefinedBodyWithAMirrorPlane)
   EXPECT_NEAR(e.kinetic, f.kinetic, 1e-11 * f.kinetic);
   EXPECT_NEAR(e.strain, f.strain, 1e-11 * f.strain);
   EXPECT_NEAR(e.hourglass, f.hourglass, 1e-11 * f.strain);
+  EXPECT_NEAR(e.viscous, f.viscous, 1e-11 * f.strain);
+  EXPECT_EQ(f.viscous > 0., GetParam().relaxing);
   const auto p = together.momenta(), q = alone.momenta();
   const double scale = std::sqrt(2. * f.kinetic * alone.total_mass()); // m v of the noise
   EXPECT_LT((p.linear - q.linear).norm(), 1e-11 * scale);

@@ -64,6 +64,21 @@ TEST(PrmFiles, SinglePlateSeriesChangesOneThingPerFile)
   }
 }
 
+TEST(PrmFiles, ViscoelasticBaseAddsRelaxationToTheSinglePlate)
+{
+  const auto scene = [](const std::string &folder)
+  { return read_scene(ParameterFile((prm_folder / folder / "base.prm").string())); };
+  const Scene elastic = scene("single_plate"), relaxing = scene("viscoelastic");
+  EXPECT_TRUE(elastic.materials[0].relaxation.empty());
+  ASSERT_EQ(relaxing.materials[0].relaxation.size(), 2U);
+  // Wang's ZWT set for PMMA at K = 5.9 GPa: 0.707 GPa are left in the long run.
+  EXPECT_NEAR(relaxing.materials[0].shear_modulus *
+                  relaxed_share(relaxing.materials[0].relaxation, 1e9),
+              0.707e9, 1e6);
+  EXPECT_EQ(relaxing.impact.speed, elastic.impact.speed);
+  EXPECT_EQ(relaxing.materials[0].critical_stretch, elastic.materials[0].critical_stretch);
+}
+
 TEST(PrmFiles, SinglePlateStudyHasAllCasesOnTwoGrids)
 {
   const StudyParameters study = read_study((prm_folder / "single_plate" / "study.prm").string());

@@ -124,6 +124,17 @@ TEST(Quantity, DecimalCommaIsExplained)
             "One value is expected; the decimal mark is a point, not a comma.");
 }
 
+TEST(QuantityPattern, ListTakesAnyNumberOfValues)
+{
+  const auto pattern = QuantityPattern::list(Dimension::time, Limit::positive);
+  EXPECT_EQ(pattern.values("1 s"), std::vector<double>{1.});
+  EXPECT_EQ(pattern.values("1 s,2 s, 3 s"), (std::vector<double>{1., 2., 3.}));
+  EXPECT_EQ(pattern.problem("1 s, 2"), "Value 2: The unit is missing.");
+  EXPECT_EQ(pattern.problem("1 s, "), "Value 2: There is no value.");
+  EXPECT_EQ(pattern.expected(),
+            "one or more values separated by commas, each a time above 0 in ns, us, ms or s");
+}
+
 TEST(QuantityPattern, DescribesWhatItMatches)
 {
   const QuantityPattern pattern(Dimension::length, Limit::positive);

@@ -156,6 +156,45 @@ TEST(SceneReader, PoissonsRatioOfAnUnstableSolidIsRejected)
                        {"command line", "Poisson's ratio = '" + nu + "'", "between -1 and 0.5"});
 }
 
+TEST(SceneReader, RelaxationSharesAndTimesMakeBranches)
+{
+  EXPECT_TRUE(read_with({}).materials[0].relaxation.empty());
+  const Scene scene    = read_with({"Material PMMA/Relaxation shares=0.146, 0.541,0.1",
+                                    "Material PMMA/Relaxation times=15.3 s, 95.4 us, 2 ms",
+                                    "Material PMMA/History precision=double"});
+  const auto &material = scene.materials[0];
+  ASSERT_EQ(material.relaxation.size(), 3U);
+  EXPECT_EQ(material.relaxation[0].share, 0.146);
+  EXPECT_EQ(material.relaxation[0].time, 15.3);
+  EXPECT_EQ(material.relaxation[1].share, 0.541);
+  EXPECT_DOUBLE_EQ(material.relaxation[1].time, 95.4e-6);
+  EXPECT_DOUBLE_EQ(material.relaxation[2].time, 2e-3);
+  EXPECT_EQ(material.history_precision, HistoryPrecision::double_precision);
+  EXPECT_EQ(
+      read_with({"Material PMMA/Relaxation shares=0.5", "Material PMMA/Relaxation times=1 ms"})
+          .materials[0]
+          .relaxation.size(),
+      1U);
+}
+
+TEST(SceneReader, IncompleteOrImpossibleRelaxationIsRejected)
+{
+  const std::string shares = "Material PMMA/Relaxation shares=",
+                    times  = "Material PMMA/Relaxation times=";
+  expect_scene_error({shares + "0.5"},
+                     {"command line", "Relaxation shares = '0.5'", "no 'Relaxation times'"});
+  expect_scene_error({times + "1 us"}, {"Relaxation times = '1 us'", "no 'Relaxation shares'"});
+  expect_scene_error({shares + "0.5, 0.1", times + "1 us"},
+                     {"2 shares, but 1 relaxation times", "as many of the one"});
+  expect_scene_error({shares + "0.5, 0.5", times + "1 us, 1 ms"}, {"add up to 1", "below 1"});
+  expect_scene_error({shares + "0.5, -0.1", times + "1 us, 1 ms"},
+                     {"Value 2", "above 0", "one or more values"});
+  expect_scene_error({shares + "0.5", times + "1"}, {"The unit is missing.", "95.4 us"});
+  expect_scene_error({shares + "0.5", times + "1 us", "Material PMMA/Shear modulus=3.54 GPa",
+                      "Material PMMA/Bond model=microelastic brittle"},
+                     {"no shear modulus of its own", "linear peridynamic solid"});
+}
+
 TEST(SceneReader, BondModelThatFixesPoissonsRatioNeedsFittingModuli)
 {
   const std::string model = "Material PMMA/Bond model=microelastic brittle";
@@ -402,6 +441,9 @@ void expect_equal(const Scene &a, const Scene &b)
   EXPECT_EQ(a.materials[0].bulk_modulus, b.materials[0].bulk_modulus);
   EXPECT_EQ(a.materials[0].shear_modulus, b.materials[0].shear_modulus);
   EXPECT_EQ(a.materials[0].energy_release, b.materials[0].energy_release);
+  ASSERT_EQ(a.materials[0].relaxation.size(), b.materials[0].relaxation.size());
+  for (std::size_t k = 0; k < a.materials[0].relaxation.size(); ++k)
+    EXPECT_EQ(a.materials[0].relaxation[k].time, b.materials[0].relaxation[k].time);
   EXPECT_EQ(a.contact.friction.law, b.contact.friction.law);
   EXPECT_EQ(a.contact.friction.decay, b.contact.friction.decay);
   EXPECT_EQ(a.contact.debris_factor, b.contact.debris_factor);
@@ -413,13 +455,14 @@ void expect_equal(const Scene &a, const Scene &b)
 
 TEST(UsedParameters, ReadAgainGiveTheSameScene)
 {
-  const auto file =
-      scene_with({"Projectile/Nose length=", "Projectile/Caliber radius head=3",
-                  "Projectile/Mass=", "Projectile/Density=7.85 g/cm3",
-                  "Material PMMA/Bulk modulus=", "Material PMMA/Shear modulus=",
-                  "Material PMMA/Young's modulus=6 GPa", "Material PMMA/Poisson's ratio=0.3",
-                  "Material PMMA/Critical stretch=", "Material PMMA/Energy release rate=500 J/m2",
-                  "Plate 1/Influence function=gaussian", "Output/Pictures=false"});
+  const auto file = scene_with(
+      {"Projectile/Nose length=", "Projectile/Caliber radius head=3",
+       "Projectile/Mass=", "Projectile/Density=7.85 g/cm3", "Material PMMA/Bulk modulus=",
+       "Material PMMA/Shear modulus=", "Material PMMA/Young's modulus=6 GPa",
+       "Material PMMA/Poisson's ratio=0.3",
+       "Material PMMA/Critical stretch=", "Material PMMA/Energy release rate=500 J/m2",
+       "Material PMMA/Relaxation shares=0.1, 0.2", "Material PMMA/Relaxation times=3 ms, 95.4 us",
+       "Plate 1/Influence function=gaussian", "Output/Pictures=false"});
   std::ostringstream used;
   write_used_parameters(file, used);
   // Another file name, so that a default that depends on it would show.

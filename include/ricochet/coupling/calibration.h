@@ -13,6 +13,9 @@
 // Zones grow by the same few shapes again and again. What has been found for a cell is the start
 // for all cells with the same surroundings, and only where that is not good enough is anything
 // sought.
+//
+// All is linear in the moduli. A material whose shear modulus relaxes needs C_g of what is left in
+// the end and of the shear part one by one; if neither is negative, no sum on the way is.
 #pragma once
 
 #include "ricochet/coupling/cell_forces.h"
@@ -36,7 +39,8 @@ class Calibration
 public:
   /// The points must have a zone; both must outlive this object.
   Calibration(MPI_Comm communicator, const PeridynamicForce &points,
-              const FiniteElementForce &elements, const CalibrationOptions &options);
+              const FiniteElementForce &elements, const ElasticModuli &moduli,
+              const CalibrationOptions &options);
   ~Calibration();
 
   /// The tensors of this rank's elements in the pad and halo of the zone as it is now. Collective.
@@ -54,6 +58,7 @@ private:
   MPI_Comm communicator_;
   const PeridynamicForce &points_;
   const FiniteElementForce &elements_;
+  ElasticModuli moduli_;
   CalibrationOptions options_;
   CellForces forces_;
   CalibrationReport report_;

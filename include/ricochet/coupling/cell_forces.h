@@ -25,6 +25,12 @@ using StrainForces = std::array<StrainLanes, 3>; // per component of a force
 std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, bool mirrored, int around = 2,
                            int faces = 5);
 
+/// Parts of a material's moduli: forces and stiffness are linear in them.
+struct ElasticModuli
+{
+  double bulk, shear; // K, mu [Pa]
+};
+
 class CellForces
 {
 public:
@@ -34,7 +40,7 @@ public:
     double stress_share; // of the bonds of the cell's points, of that in the bulk [-]
   };
 
-  explicit CellForces(const PeridynamicForce &points);
+  CellForces(const PeridynamicForce &points, const ElasticModuli &moduli);
 
   /// `pattern` of the cell, which lies in the pad or the halo. Remembers what it has computed.
   const Entry &of(const Zone::Cell &cell, std::uint64_t pattern);
@@ -46,6 +52,7 @@ private:
     Vector3 unit;
     StrainLanes extension; // under the unit strains [m]
     double dilatation, volumetric, stiffness;
+    double full_stiffness; // with all of the moduli [N/m]
   };
 
   Entry computed(const Zone::Cell &cell);

@@ -39,15 +39,24 @@ public:
   /// update_ghosts(). Collective.
   void lead();
   /// Forces on nodes: of the elements and of the slaved points, which must be complete. With
-  /// `energy`, also the elements' energies. Collective.
-  void evaluate(bool energy);
+  /// `energy`, also the elements' energies; not a step: see PeridynamicForce::evaluate().
+  /// Collective.
+  void add_forces(bool energy, bool is_step = true);
+  /// The same, ready for advance(): with the mass correction.
+  void evaluate(bool energy, bool is_step = true);
+  /// See FiniteElementForce and PeridynamicForce: of both, if their material relaxes.
+  void start_relaxation(double dt);
   /// Kick and drift of the nodes [s].
   void advance(double kick, double drift) { elements_.advance(kick, drift); }
+
+  /// Everything at rest in the reference configuration, without forces. Collective.
+  void rest();
 
   /// Of points and elements together, as their own functions say [J]. Collective.
   struct Energies
   {
     double kinetic, strain, hourglass;
+    double viscous; // turned into heat so far
     double total() const { return kinetic + strain + hourglass; }
   };
   Energies energies(double dt) const;
@@ -62,12 +71,17 @@ public:
   const PeridynamicForce &points() const { return points_; }
   FiniteElementForce &elements() { return elements_; }
   const FiniteElementForce &elements() const { return elements_; }
-  const CalibrationReport &calibration() const { return calibration_.report(); }
+  /// With relaxation the worse of the two parts, each in units of its own M.
+  CalibrationReport calibration() const;
 
 private:
   void join();
+  std::vector<ElementStiffness> calibrated_stiffness();
   std::vector<ElementStiffness> blended_stiffness() const;
   void blend_forces();
+  /// Histories of the elements, as means at the nodes: three components each of two fields per
+  /// branch, 11, 22, 33 and 23, 13, 12. Collective.
+  std::vector<std::vector<double>> nodal_histories() const;
 
   MPI_Comm communicator_;
   PeridynamicForce &points_;
@@ -75,7 +89,8 @@ private:
   FarFieldOptions options_;
   FiniteElementForce elements_;
   SlavedPoints slaved_;
-  Calibration calibration_;
+  Calibration calibration_;                        // of all, with relaxation of what is left
+  std::unique_ptr<Calibration> shear_calibration_; // of the part that relaxes
   std::vector<double> bond_share_; // of the force of each owned node; force_blend only [-]
   std::vector<double> bond_force_; // workspace [N]
 };

@@ -28,6 +28,8 @@ public:
 
   /// Points take over position and velocity. Collective.
   void follow(const FiniteElementForce &elements, LatticeState &state);
+  /// Points take over any nodal field, three numbers per node. Collective.
+  void interpolate(const std::vector<double> &nodal, double *const field[3]);
   /// Forces of the points are added to those of the nodes. Collective.
   void hand_on(const LatticeState &state, std::vector<double> &nodal_force);
 

@@ -24,9 +24,9 @@ public:
   /// weight.
   void follow_zone(const Lattice &lattice, int first, int last);
 
-  /// Images across y = 0 take over position and velocity, or dilatation, of their originals.
+  /// Images across y = 0 take over position and velocity, or a scalar, of their originals.
   void mirror_motion(const Lattice &lattice);
-  void mirror_theta(const Lattice &lattice);
+  void mirror(const Lattice &lattice, double *scalar) const;
 
 private:
   struct Free

@@ -13,8 +13,10 @@ struct KernelBenchOptions
   int repeats            = 7;     // the median counts
   bool holes             = false; // cut a sphere out of the cube
   std::string bond_model = "linear peridynamic solid";
-  std::string instruction_set; // empty: the best one
-  bool json = false;           // one JSON object instead of text
+  std::string instruction_set;    // empty: the best one
+  int branches        = 0;        // that relax; an elastic cube is then timed in turn with this one
+  std::string history = "single"; // or "double"
+  bool json           = false;    // one JSON object instead of text
 };
 
 /// Full time steps (halo, breaking, dilatation, force, kick and drift) of a cube in motion with

@@ -14,7 +14,8 @@ struct ElementBenchOptions
   /// "one point" or "full"; "own tensors": full, each Gauss point with its own stiffness.
   std::string element   = "one point";
   std::string instruction_set; // empty: the best one
-  bool json = false;           // one JSON object instead of text
+  int branches = 0;            // that relax; an elastic cube is then timed in turn with this one
+  bool json    = false;        // one JSON object instead of text
 };
 
 /// Full time steps (halo, hanging nodes, forces, kick and drift) of a cube in motion, a corner of

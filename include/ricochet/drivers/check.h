@@ -8,7 +8,12 @@
 
 namespace ricochet
 {
-/// Builds the scene, measures its time step and its speed, and prints the cost. Collective; throws
-/// what run() would.
-void check(MPI_Comm communicator, const ParameterFile &file);
+struct CheckOptions
+{
+  bool coupling = false; // also the patch test of the interface
+};
+
+/// Builds the scene, measures its time step and its speed, and prints the cost. Returns whether all
+/// limits are kept. Collective; throws what run() would.
+bool check(MPI_Comm communicator, const ParameterFile &file, const CheckOptions &options);
 } // namespace ricochet

@@ -7,6 +7,7 @@
 
 #include "ricochet/drivers/plate_zone.h"
 #include "ricochet/drivers/zone_watch.h"
+#include "ricochet/dynamics/power_iteration.h"
 #include "ricochet/forces/debris_contact.h"
 #include "ricochet/forces/fracture_energy.h"
 #include "ricochet/forces/projectile_contact.h"
@@ -28,11 +29,12 @@ struct EnergyBalance
   double friction;   // turned into heat between projectile and plates
   double fracture;   // released by broken bonds
   double initial;    // kinetic energy of the projectile at the start
+  double viscous;    // turned into heat by relaxation
 
   double residual() const
   {
     return initial - projectile - kinetic - strain - hourglass - conversion - contact - debris -
-           friction - fracture;
+           friction - fracture - viscous;
   }
 };
 
@@ -99,6 +101,7 @@ public:
 
   PointFrame points() const; // owned by this rank
   SurfaceFrame surface() const;
+  ElementFrame elements() const; // owned by this rank
 
   /// What limits the step, for the user.
   struct TimeStepInfo
@@ -108,11 +111,15 @@ public:
     double seconds_per_step; // measured, forces only [s]
   };
   TimeStepInfo time_step_info() const { return time_step_info_; }
+  /// Of each plate alone, without contact.
+  const std::vector<FrequencyEstimate> &frequencies() const { return frequencies_; }
 
 private:
   void build_plates();
   void build_projectile();
   void choose_time_step();
+  /// Of all plates, whose elastic force evaluations take so long [s].
+  void start_relaxation(const std::vector<double> &elastic_seconds);
 
   MPI_Comm communicator_;
   Scene scene_;
@@ -128,6 +135,7 @@ private:
   std::unique_ptr<RigidBody> projectile_;
   ProjectileContact::Reaction reaction_;
   TimeStepInfo time_step_info_;
+  std::vector<FrequencyEstimate> frequencies_;
   double time_ = 0., dt_ = 0.;
   long step_                 = 0;
   double initial_energy_     = 0.;

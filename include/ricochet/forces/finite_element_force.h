@@ -6,6 +6,7 @@
 
 #include "ricochet/discretization/hex_mesh.h"
 #include "ricochet/kernels/hex_kernel.h"
+#include "ricochet/materials/relaxation.h"
 
 #include <array>
 #include <functional>
@@ -17,7 +18,9 @@ struct FiniteElementMaterial
 {
   double density;       // [kg/m^3]
   double bulk_modulus;  // [Pa]
-  double shear_modulus; // [Pa]
+  double shear_modulus; // [Pa], the instantaneous one
+  // Of the shear modulus; takes effect by start_relaxation().
+  RelaxationSeries relaxation = {};
 };
 
 /// How an element integrates its energy. `one_point` takes about half the time and bends as freely
@@ -36,6 +39,9 @@ struct ElementStiffness
 {
   int element; // number in mesh().elements()
   std::array<std::array<double, HexTensors::n_entries>, 8> tensors;
+  /// The part of them that relaxes with the material, C_mu; zero: they stay elastic. Neither C_mu
+  /// nor C - C_mu may have negative eigenvalues.
+  std::array<std::array<double, HexTensors::n_entries>, 8> shear = {};
 };
 
 class FiniteElementForce
@@ -58,6 +64,7 @@ public:
   struct Energies // of this body as computed, without the mirrored half [J]
   {
     double kinetic, strain, hourglass;
+    double viscous; // turned into heat by relaxation since its start
   };
 
   struct Momenta
@@ -76,8 +83,24 @@ public:
   FiniteElementForce &operator=(const FiniteElementForce &) = delete;
 
   /// Gives these elements their own tensors, with full quadrature; all others have the material's
-  /// moduli, whatever was set before. Elements that are not active are left out.
+  /// moduli, whatever was set before. Elements that are not active are left out. History stays; an
+  /// element that changes its Gauss points spreads it or takes the mean.
   void set_stiffness(const std::vector<ElementStiffness> &stiffness);
+
+  /// From now on the shear stiffness relaxes as the material says, from no history, and evaluate()
+  /// must be called once per time step of that length [s]: it moves the history on. Hourglass
+  /// stiffness stays elastic with the instantaneous modulus: it stands for bending within an
+  /// element, whose waves last a few steps, and a softer one would let go of the modes that it has
+  /// to hold. Throws InputError for an impossible series. History is kept in double precision.
+  void start_relaxation(double dt);
+  bool relaxes() const { return !branches_.empty(); }
+  /// E_b,k, the strain that the dashpots of a branch have taken over; mean of the Gauss points [-].
+  Eigen::Matrix3d back_strain(int element, int branch) const;
+  /// What bonds take over from an element before the next step, see BondHistory::take_over().
+  Eigen::Matrix3d history(int element, int branch) const;
+  /// Sets E_b,k at all Gauss points of an element, for bodies that take over from others; as of the
+  /// last evaluate().
+  void set_back_strain(int element, int branch, const Eigen::Matrix3d &E_b);
 
   /// Elements for whose centre this is false carry neither force nor mass from now on; all others
   /// do, with the material's moduli until set_stiffness(). Masses are lumped anew. Collective.
@@ -99,7 +122,7 @@ public:
 
   /// Overwrites `force` of owned nodes with the internal force; positions of ghosts must be up to
   /// date. With `energy`, also each element's energies. Collective.
-  void evaluate(bool energy);
+  void evaluate(bool energy, bool is_step = true);
 
   /// Call when all forces are there and before advance(). Collective.
   void correct_mass();
@@ -154,7 +177,10 @@ private:
     std::vector<int> elements;
     std::vector<HexBlock> blocks;
     std::vector<HexTensors> tensors;
+    std::vector<HexTensors> shear;
     std::vector<double> strain_energy, hourglass_energy; // per entry of elements
+    int n_points;                                        // Gauss points
+    std::vector<double> history, dissipated;             // see HexRelaxation
   };
   struct Place
   {
@@ -167,14 +193,26 @@ private:
   void find_spread_momentum();
   void fill(Group &group) const;
   HexGroup view(const Group &group) const;
+  std::size_t row(const Group &group, int index, int point, int branch) const;
+  /// Per element: 2 E and 2 (E - E_b,k) of every Gauss point, and what it has dissipated.
+  struct Memory
+  {
+    std::vector<std::vector<double>> points;
+    double dissipated = 0.;
+  };
+  std::vector<Memory> memories() const;
+  void restore(const std::vector<Memory> &memories);
 
   MPI_Comm communicator_;
   HexMesh mesh_;
   FiniteElementMaterial material_;
   Options options_;
   const HexKernel *kernel_;
-  std::array<Group, 2> groups_; // shared moduli, own tensors
-  std::vector<Place> place_;    // of each element
+  std::array<Group, 2> groups_;       // shared moduli, own tensors
+  std::vector<Place> place_;          // of each element
+  std::vector<MaxwellStep> branches_; // none: elastic
+  std::vector<Memory> past_;          // of elements that may get their tensors back
+  double dissipated_elsewhere_ = 0.;  // by elements that are not active any more [J]
   std::vector<char> active_;
   std::vector<double> position_, velocity_, force_;
   bool spreads_mass_ = false;     // the same on all ranks

@@ -5,11 +5,14 @@
 // The leapfrog scheme conserves v-.v+/2 + U(x_n) between the steps, and with it the bilinear form
 // U(x_n, x_n-1) of the bonds that are still there. A bond that breaks at step n therefore takes k
 // e_n e_n-1 / 2 out of the balance and not k e_n^2 / 2; with steps in which a bond stretches by a
-// fifth of its limit the difference is a fifth of the fracture energy.
+// fifth of its limit the difference is a fifth of the fracture energy. The springs of Maxwell
+// branches go the same way, with e - e_b for e.
 #pragma once
 
 #include "ricochet/discretization/plane_sums.h"
 #include "ricochet/forces/peridynamic_force.h"
+
+#include <array>
 
 namespace ricochet
 {
@@ -37,6 +40,7 @@ private:
   {
     std::ptrdiff_t point;
     double now, before; // contribution of a broken bond at this step and one step ago [-]
+    std::array<double, max_maxwell_branches> held_before; // of its branches, one step ago [-]
   };
   std::vector<LostTheta> lost_theta_; // of owned points
 };

@@ -7,7 +7,10 @@
 
 #include "ricochet/discretization/halo.h"
 #include "ricochet/discretization/lattice_state.h"
+#include "ricochet/forces/bond_history.h"
 
+#include <array>
+#include <memory>
 #include <mpi.h>
 #include <optional>
 #include <vector>
@@ -19,8 +22,11 @@ struct PeridynamicMaterial
   const BondLaw *law;
   double density;          // [kg/m^3]
   double bulk_modulus;     // [Pa]
-  double shear_modulus;    // [Pa]
+  double shear_modulus;    // [Pa], the instantaneous one
   double critical_stretch; // s_c [-]; infinite: never breaks
+  // Of the shear modulus; takes effect by start_relaxation().
+  RelaxationSeries relaxation        = {};
+  HistoryPrecision history_precision = HistoryPrecision::single_precision;
 };
 
 class PeridynamicForce
@@ -41,14 +47,29 @@ public:
   /// Collective.
   void update_ghosts();
 
+  /// From now on the shear modulus relaxes as the material says, from no history, and evaluate()
+  /// must be called once per time step of that length [s]: it moves the history on. Before, and
+  /// without relaxation, the body is elastic with the instantaneous moduli. Throws InputError if
+  /// the law or a branch cannot be used so.
+  void start_relaxation(double dt);
+  /// Null if the body is elastic.
+  const BondHistory *history() const { return history_.get(); }
+  BondHistory *history() { return history_.get(); }
+
   /// Breaks overstretched bonds, then overwrites `force` with the bond forces; positions of ghosts
-  /// must be up to date. With `energy`, also each point's strain energy. Collective.
-  void evaluate(bool breaking, bool energy);
+  /// must be up to date. With `energy`, also each point's strain energy. Not a step: the history of
+  /// a relaxing body stays where it is, for a look at its energy between steps. Collective.
+  void evaluate(bool breaking, bool energy, bool is_step = true);
 
   /// After the zone has grown by cells whose layers have changed between the planes first <= x <
   /// last (global): new points and bonds appear, at rest in the reference configuration, and slaved
   /// ones become free. What is broken stays broken.
   void follow_zone(int first, int last);
+  /// Components 11, 22, 33, 23, 13, 12 of a tensor per point, and of a branch each.
+  using TensorFields = std::vector<std::array<std::vector<double>, 6>>;
+  /// After follow_zone() of a body that relaxes: the histories that bonds which have appeared take
+  /// over, see BondHistory::take_over(), at owned points. Collective.
+  void continue_history(TensorFields &histories);
 
   /// Kick and drift of the free points: v += f kick/m, x += v drift; both in s, equal but in a
   /// first half step.
@@ -57,6 +78,7 @@ public:
   struct Energies // of this body as computed, without the mirrored half [J]
   {
     double kinetic, strain;
+    double viscous; // turned into heat by relaxation so far
   };
   struct Momenta
   {
@@ -82,6 +104,7 @@ public:
   const std::vector<BondConstants> &bond_constants() const { return constants_; }
   double point_stiffness() const { return table_.point_stiffness; } // [J]
   double point_mass() const { return mass_; }                       // [kg]
+  double point_volume() const { return mass_ / material_.density; } // [m^3]
 
   /// What the last evaluate() broke; a bond with ends on two ranks stands on both.
   const std::vector<BrokenBonds> &broken() const { return broken_; }
@@ -127,12 +150,14 @@ private:
   std::vector<BondConstants> constants_, unbreakable_constants_;
   std::vector<int64_t> shifts_;
   BondTable table_, unbreakable_table_;
+  std::unique_ptr<BondHistory> history_;
   std::vector<std::uint8_t> initial_bonds_;
   std::vector<std::uint16_t> initial_family_; // bonds of each owned point at the start
   // Blocks with bonds: of free points alone, and with slaved ones.
   std::vector<Lattice::BlockRange> free_ranges_, held_ranges_;
   std::vector<char> damaged_;
   std::vector<BrokenBonds> broken_;
+  std::vector<std::uint8_t> new_bonds_;     // that follow_zone() has added
   std::vector<std::uint8_t> watched_bonds_; // workspace of points_stretched()
   std::vector<double> watched_theta_;
   std::size_t n_broken_ = 0;

@@ -2,10 +2,15 @@
 // The hot loops of a mesh of eight-node cubes, total Lagrangian: with F = dx/dX, E = (F^T F - 1)/2
 // and S = lambda tr(E) 1 + 2 mu E (St Venant-Kirchhoff) or S = C : E, the energy of an element is
 // the sum over its quadrature points of w/2 S : E; forces are minus its gradient, hence
-// conservative and free of net force and moment at any rotation.
+// conservative and free of net force and moment at any rotation. If the shear stiffness relaxes,
+//   S = C : E - C_mu : sum_k lambda_k E_b,k,
+// with C_mu the part of C that relaxes (2 mu times the deviator, or a tensor of its own) and E_b,k
+// the strain that the dashpot of branch k has taken over, see materials/maxwell_branch.h.
 // Numbers in, numbers out; this header is compiled for several instruction sets and must stay free
 // of library headers.
 #pragma once
+
+#include "ricochet/materials/maxwell_branch.h"
 
 #include <stdint.h>
 
@@ -49,9 +54,22 @@ struct HexGroup
   double hourglass_bending, hourglass_warping;
 };
 
+/// The history of a group of elements whose shear stiffness relaxes.
+struct HexRelaxation
+{
+  int n_branches;
+  const MaxwellStep *branches;
+  /// Per block and Gauss point (one or eight) rows of eight lanes: six of 2 E one step ago, then
+  /// six of 2 (E - E_b,k) for each branch, in the order 11, 22, 33, 23, 13, 12 [-].
+  double *history;
+  const HexTensors *shear; // C_mu of elements with own tensors, per block; otherwise null
+  double *dissipated;      // per element, added to [J]
+};
+
 struct HexKernel
 {
-  using ForceLoop = void (*)(const HexArrays &, const HexGroup &);
+  using ForceLoop         = void (*)(const HexArrays &, const HexGroup &);
+  using RelaxingForceLoop = void (*)(const HexArrays &, const HexGroup &, const HexRelaxation &);
 
   const char *instruction_set;
 
@@ -62,6 +80,10 @@ struct HexKernel
   ForceLoop integrated, integrated_and_energy;
   /// 2 x 2 x 2 Gauss points, each with its own stiffness.
   ForceLoop own_tensors, own_tensors_and_energy;
+  /// The same with relaxation; each call moves the history on by one step.
+  RelaxingForceLoop relaxing_one_point, relaxing_one_point_and_energy;
+  RelaxingForceLoop relaxing_integrated, relaxing_integrated_and_energy;
+  RelaxingForceLoop relaxing_own_tensors, relaxing_own_tensors_and_energy;
 
   /// Kick and drift of n components: v += kick f/m, x += drift v; where the inverse mass is zero,
   /// the velocity stays.

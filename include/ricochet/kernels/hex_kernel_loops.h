@@ -147,9 +147,10 @@ inline V four_energy_densities(const Symmetric &S, const Symmetric &twice_e)
 
 struct SharedModuli
 {
+  static constexpr bool relaxes = false;
   V half_lambda, mu;
 
-  SharedModuli(const HexGroup &group, int64_t, int) :
+  SharedModuli(const HexGroup &group, int64_t, int, const HexRelaxation *) :
     half_lambda(Simd::set(0.5 * group.lambda)), mu(Simd::set(group.mu))
   {
   }
@@ -165,21 +166,56 @@ struct SharedModuli
     }
     return S;
   }
+
+  /// What relaxes: 2 mu times the deviator.
+  Symmetric shear_stress(int, const Symmetric &twice_e) const
+  {
+    const V mean = Simd::set(1. / 3.) * (twice_e.a[0] + twice_e.a[1] + twice_e.a[2]);
+    Symmetric S;
+    for (int i = 0; i < 3; ++i)
+    {
+      S.a[i]     = mu * (twice_e.a[i] - mean);
+      S.a[3 + i] = mu * twice_e.a[3 + i];
+    }
+    return S;
+  }
+
+  static V four_energies(const Symmetric &S, const Symmetric &twice_e)
+  {
+    return four_energy_densities(S, twice_e);
+  }
 };
 
 struct OwnTensors
 {
-  const HexTensors *tensors;
+  static constexpr bool relaxes = false;
+  const HexTensors *tensors, *shear;
   int lane;
 
-  OwnTensors(const HexGroup &group, const int64_t block, const int lane) :
-    tensors(group.tensors + block), lane(lane)
+  OwnTensors(const HexGroup &group, const int64_t block, const int lane,
+             const HexRelaxation *relaxation) :
+    tensors(group.tensors + block),
+    shear(relaxation == nullptr ? nullptr : relaxation->shear + block), lane(lane)
   {
   }
 
   Symmetric stress(const int point, const Symmetric &twice_e) const
   {
-    const auto &c = tensors->c[point];
+    return product(tensors->c[point], twice_e);
+  }
+  Symmetric shear_stress(const int point, const Symmetric &twice_e) const
+  {
+    return product(shear->c[point], twice_e);
+  }
+  static V four_energies(const Symmetric &S, const Symmetric &twice_e)
+  {
+    return four_energy_densities(S, twice_e);
+  }
+
+private:
+  Symmetric product(const double (&c)[HexTensors::n_entries][block_size],
+                    const Symmetric &twice_e) const
+  {
     Symmetric e, S;
     for (int i = 0; i < 3; ++i)
     {
@@ -200,8 +236,104 @@ struct OwnTensors
   }
 };
 
-template <bool with_energy>
-void one_point(const HexArrays &arrays, const HexGroup &group)
+/// Another law whose shear part relaxes. stress() must be called once per point and step.
+template <class Law, bool with_energy>
+struct Relaxing : Law
+{
+  static constexpr bool relaxes = true;
+  const HexRelaxation &relaxation;
+  double *history; // of this block's first point
+  int lane;
+  V equilibrium;                       // share of the shear stiffness that does not relax
+  V four_losses        = Simd::zero(); // 4 times the dissipated densities, summed over points
+  V four_energies_here = Simd::zero(); // of the last point
+
+  Relaxing(const HexGroup &group, const int64_t block, const int lane,
+           const HexRelaxation *relaxation, const int n_points) :
+    Law(group, block, lane, relaxation),
+    relaxation(*relaxation), history(relaxation->history + block * n_points * rows() * block_size),
+    lane(lane)
+  {
+    double share = 1.;
+    for (int k = 0; k < relaxation->n_branches; ++k)
+      share -= relaxation->branches[k].share;
+    equilibrium = Simd::set(share);
+  }
+
+  int rows() const { return 6 * (1 + relaxation.n_branches); }
+
+  Symmetric stress(const int point, const Symmetric &twice_e)
+  {
+    double *row = history + point * rows() * block_size + lane;
+    Symmetric change, back; // of 2 E; 2 sum lambda_k E_b,k
+    for (int i = 0; i < 6; ++i)
+    {
+      change.a[i] = twice_e.a[i] - Simd::load(row + i * block_size);
+      back.a[i]   = Simd::zero();
+      Simd::store(row + i * block_size, twice_e.a[i]);
+    }
+    const Symmetric elastic = Law::stress(point, twice_e);
+    // Stored: what does not relax, and the branches' springs.
+    if constexpr (with_energy)
+      four_energies_here = four_energy_densities(elastic, twice_e) -
+                           (Simd::set(1.) - equilibrium) *
+                               four_energy_densities(Law::shear_stress(point, twice_e), twice_e);
+    for (int k = 0; k < relaxation.n_branches; ++k)
+    {
+      const MaxwellStep &branch = relaxation.branches[k];
+      const V share = Simd::set(branch.share), decay = Simd::set(branch.decay),
+              at_once = Simd::set(1. - branch.lag);
+      row += 6 * block_size;
+      Symmetric held, sum, moved;
+      for (int i = 0; i < 6; ++i)
+      {
+        // What a branch holds back, d = E - E_b: d(n+1) = r d(n) + (1 - beta) (E(n+1) - E(n)).
+        const V before = Simd::load(row + i * block_size);
+        held.a[i]      = Simd::fma(decay, before, at_once * change.a[i]);
+        sum.a[i]       = held.a[i] + before;
+        moved.a[i]     = change.a[i] - (held.a[i] - before);
+        back.a[i]      = Simd::fma(share, twice_e.a[i] - held.a[i], back.a[i]);
+        Simd::store(row + i * block_size, held.a[i]);
+      }
+      four_losses = Simd::fma(share, four_energy_densities(Law::shear_stress(point, sum), moved),
+                              four_losses);
+      if constexpr (with_energy)
+        four_energies_here = Simd::fma(
+            share, four_energy_densities(Law::shear_stress(point, held), held), four_energies_here);
+    }
+    const Symmetric relaxed = Law::shear_stress(point, back);
+    Symmetric S;
+    for (int i = 0; i < 6; ++i)
+      S.a[i] = elastic.a[i] - relaxed.a[i];
+    return S;
+  }
+
+  V four_energies(const Symmetric &, const Symmetric &) const { return four_energies_here; }
+};
+
+template <class Law>
+Law make_law(const HexGroup &group, const int64_t block, const int lane,
+             const HexRelaxation *relaxation, const int n_points)
+{
+  if constexpr (Law::relaxes)
+    return Law(group, block, lane, relaxation, n_points);
+  else
+    return Law(group, block, lane, relaxation);
+}
+
+/// Adds an element's dissipation: densities times the weight, for elements first + lane to end.
+template <class Law>
+void add_dissipated(const Law &law, const V weight, const int64_t first, const int lane,
+                    const int end)
+{
+  alignas(64) double losses[lanes];
+  Simd::store(losses, weight * law.four_losses);
+  for (int l = lane; l < end; ++l)
+    law.relaxation.dissipated[first + l] += losses[l - lane];
+}
+
+template <class Law, bool with_energy>
+void one_point(const HexArrays &arrays, const HexGroup &group, const HexRelaxation *relaxation)
 {
   const V bending = Simd::set(group.hourglass_bending),
           warping = Simd::set(group.hourglass_warping);
@@ -220,7 +352,8 @@ void one_point(const HexArrays &arrays, const HexGroup &group)
         for (int d = 0; d < 3; ++d)
           F[c][d] = e.mode[c][d] * to_gradient;
       const Symmetric twice_e = twice_green_strain(F);
-      const Symmetric S       = SharedModuli(group, 0, 0).stress(0, twice_e);
+      Law law                 = make_law<Law>(group, first / block_size, lane, relaxation, 1);
+      const Symmetric S       = law.stress(0, twice_e);
 
       // f_a = -V P r_a / (4 h) - k q Gamma_a
       const V minus_area = Simd::set(-0.25) * e.edge * e.edge;
@@ -237,11 +370,13 @@ void one_point(const HexArrays &arrays, const HexGroup &group)
       }
       scatter(force, block, lane, end, arrays.force);
 
+      const V quarter_volume = Simd::set(0.25) * e.edge * e.edge * e.edge;
+      if constexpr (Law::relaxes)
+        add_dissipated(law, quarter_volume, first, lane, end);
       if constexpr (with_energy)
       {
         alignas(64) double energy[2][lanes];
-        const V quarter_volume = Simd::set(0.25) * e.edge * e.edge * e.edge;
-        Simd::store(energy[0], quarter_volume * four_energy_densities(S, twice_e));
+        Simd::store(energy[0], quarter_volume * law.four_energies(S, twice_e));
         V twice = Simd::zero();
         for (int c = 0; c < 3; ++c)
           for (int m = st; m <= rst; ++m)
@@ -258,7 +393,7 @@ void one_point(const HexArrays &arrays, const HexGroup &group)
 }
 
 template <class Law, bool with_energy>
-void integrated(const HexArrays &arrays, const HexGroup &group)
+void integrated(const HexArrays &arrays, const HexGroup &group, const HexRelaxation *relaxation)
 {
   // Gauss points at r, s, t = +-1/sqrt(3), all with weight V/8.
   const V gauss = Simd::set(0.57735026918962576451), gauss2 = Simd::set(1. / 3.);
@@ -271,7 +406,7 @@ void integrated(const HexArrays &arrays, const HexGroup &group)
       const HexBlock &block = group.blocks[first / block_size];
       const int end         = first + lane + lanes < n ? lane + lanes : int(n - first);
       const Element e       = load(arrays.position, block, lane);
-      const Law law(group, first / block_size, lane);
+      Law law               = make_law<Law>(group, first / block_size, lane, relaxation, 8);
 
       const V to_gradient = Simd::set(0.25) / e.edge;
       V gradient[3][3][4], piola[3][3][4]; // [component][direction][point of the other two]
@@ -303,7 +438,7 @@ void integrated(const HexArrays &arrays, const HexGroup &group)
             piola[c][d][others[d]] = piola[c][d][others[d]] + P[d];
         }
         if constexpr (with_energy)
-          energy = energy + four_energy_densities(S, twice_e);
+          energy = energy + law.four_energies(S, twice_e);
       }
 
       // f_a = -sum_g V/8 P dN_a/dX
@@ -326,6 +461,8 @@ void integrated(const HexArrays &arrays, const HexGroup &group)
       }
       scatter(force, block, lane, end, arrays.force);
 
+      if constexpr (Law::relaxes)
+        add_dissipated(law, Simd::set(1. / 32.) * e.edge * e.edge * e.edge, first, lane, end);
       if constexpr (with_energy)
       {
         alignas(64) double nodal[lanes];
@@ -359,13 +496,42 @@ inline void advance(double *position, double *velocity, const double *force,
   }
 }
 
+template <class Law, bool with_energy>
+void elastic_one_point(const HexArrays &arrays, const HexGroup &group)
+{
+  one_point<Law, with_energy>(arrays, group, nullptr);
+}
+template <class Law, bool with_energy>
+void elastic_integrated(const HexArrays &arrays, const HexGroup &group)
+{
+  integrated<Law, with_energy>(arrays, group, nullptr);
+}
+template <class Law, bool with_energy>
+void relaxing_one_point(const HexArrays &arrays, const HexGroup &group,
+                        const HexRelaxation &relaxation)
+{
+  one_point<Relaxing<Law, with_energy>, with_energy>(arrays, group, &relaxation);
+}
+template <class Law, bool with_energy>
+void relaxing_integrated(const HexArrays &arrays, const HexGroup &group,
+                         const HexRelaxation &relaxation)
+{
+  integrated<Relaxing<Law, with_energy>, with_energy>(arrays, group, &relaxation);
+}
+
 const HexKernel kernel = {Simd::name,
-                          &one_point<false>,
-                          &one_point<true>,
-                          &integrated<SharedModuli, false>,
-                          &integrated<SharedModuli, true>,
-                          &integrated<OwnTensors, false>,
-                          &integrated<OwnTensors, true>,
+                          &elastic_one_point<SharedModuli, false>,
+                          &elastic_one_point<SharedModuli, true>,
+                          &elastic_integrated<SharedModuli, false>,
+                          &elastic_integrated<SharedModuli, true>,
+                          &elastic_integrated<OwnTensors, false>,
+                          &elastic_integrated<OwnTensors, true>,
+                          &relaxing_one_point<SharedModuli, false>,
+                          &relaxing_one_point<SharedModuli, true>,
+                          &relaxing_integrated<SharedModuli, false>,
+                          &relaxing_integrated<SharedModuli, true>,
+                          &relaxing_integrated<OwnTensors, false>,
+                          &relaxing_integrated<OwnTensors, true>,
                           &advance};
 } // namespace
 } // namespace ricochet

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ricochet/materials/bond_law.h"
+#include "ricochet/materials/maxwell_branch.h"
 
 #include <stdint.h>
 
@@ -43,6 +44,22 @@ struct BrokenBonds
   uint8_t points; // bit l: the bond of point 8 block + l
 };
 
+/// History of bonds whose shear stiffness relaxes, and the numbers of a step.
+struct RelaxingBonds
+{
+  int n_branches;
+  const MaxwellStep *branches;
+  /// g of each bond and branch, see maxwell_branch.h: [block][offset][branch][lane], in the one or
+  /// the other precision, the other null [m].
+  float *single_history;
+  double *double_history;
+  /// Per point, ghosts and images too: its part of the tension of any of its bonds, over that
+  /// bond's `extension` and length [-].
+  const double *volumetric;
+  double *dissipated; // per point, in the step before; only with energies [J]
+  double dt;          // length of that step [s]
+};
+
 struct LatticeKernel
 {
   const char *instruction_set;
@@ -69,6 +86,14 @@ struct LatticeKernel
                          int64_t last_block);
   void (*weighted_force_and_energy)(const LatticeArrays &, const BondTable &, int64_t first_block,
                                     int64_t last_block);
+
+  /// The same four for bonds that relax; move their history on by one step. Null where a law
+  /// cannot. Those with energy add the bonds' part of energy and dissipation, half to either end,
+  /// and need the velocities that led here.
+  using RelaxingLoop = void (*)(const LatticeArrays &, const BondTable &, const RelaxingBonds &,
+                                int64_t first_block, int64_t last_block);
+  RelaxingLoop relaxing_force, relaxing_force_and_energy;
+  RelaxingLoop weighted_relaxing_force, weighted_relaxing_force_and_energy;
 
   /// Kick and drift of free points: v += f dt/m, x += v dt.
   void (*advance)(const LatticeArrays &, int64_t first_block, int64_t last_block,

@@ -6,24 +6,13 @@
 #pragma once
 
 #include "ricochet/kernels/lattice_kernel.h"
+#include "ricochet/kernels/relaxing_force_loop.h"
 #include "ricochet/materials/bond_law_list.h"
 
 namespace ricochet
 {
 namespace
 {
-constexpr int lanes      = Simd::width;
-constexpr int block_size = 8;
-
-using V = Simd::V;
-using M = Simd::M;
-
-/// Which of the points p ... p + lanes - 1 of block byte `bits` take part.
-inline unsigned int lane_bits(const uint8_t bits, const int lane)
-{
-  return (bits >> lane) & ((1u << lanes) - 1);
-}
-
 template <class Law, bool held>
 int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t first,
                 const int64_t last, BrokenBonds *log)
@@ -168,6 +157,10 @@ constexpr LatticeKernel kernel_of()
           &force<Law, true, false>,
           &force<Law, false, true>,
           &force<Law, true, true>,
+          Law::has_dilatation ? &relaxing_force<false, false> : nullptr,
+          Law::has_dilatation ? &relaxing_force<true, false> : nullptr,
+          Law::has_dilatation ? &relaxing_force<false, true> : nullptr,
+          Law::has_dilatation ? &relaxing_force<true, true> : nullptr,
           &advance};
 }
 

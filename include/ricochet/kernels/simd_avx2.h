@@ -21,6 +21,8 @@ struct Simd
   static V set(const double value) { return _mm256_set1_pd(value); }
   static V load(const double *p) { return _mm256_loadu_pd(p); }
   static void store(double *p, const V v) { _mm256_storeu_pd(p, v); }
+  static V load(const float *p) { return _mm256_cvtps_pd(_mm_loadu_ps(p)); }
+  static void store(float *p, const V v) { _mm_storeu_ps(p, _mm256_cvtpd_ps(v)); }
   /// base[index[l]] in lane l.
   static V gather(const double *base, const int32_t *index)
   {

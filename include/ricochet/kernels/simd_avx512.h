@@ -21,6 +21,8 @@ struct Simd
   static V set(const double value) { return _mm512_set1_pd(value); }
   static V load(const double *p) { return _mm512_loadu_pd(p); }
   static void store(double *p, const V v) { _mm512_storeu_pd(p, v); }
+  static V load(const float *p) { return _mm512_maskz_cvtps_pd(0xff, _mm256_loadu_ps(p)); }
+  static void store(float *p, const V v) { _mm256_storeu_ps(p, _mm512_maskz_cvtpd_ps(0xff, v)); }
   /// base[index[l]] in lane l.
   static V gather(const double *base, const int32_t *index)
   {

@@ -21,6 +21,8 @@ struct Simd
   static V set(const double value) { return value; }
   static V load(const double *p) { return *p; }
   static void store(double *p, const V v) { *p = v; }
+  static V load(const float *p) { return *p; }
+  static void store(float *p, const V v) { *p = static_cast<float>(v); }
   static V gather(const double *base, const int32_t *index) { return base[*index]; } // base[index]
   static V fma(const V a, const V b, const V c) { return a * b + c; }
   static V fnma(const V a, const V b, const V c) { return c - a * b; }

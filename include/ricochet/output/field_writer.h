@@ -19,7 +19,8 @@ public:
 
   /// Writes the next frame at the time [s]. After a FileError all earlier frames are still
   /// complete.
-  void write(double time, const PointFrame &points, const SurfaceFrame &surface);
+  void write(double time, const PointFrame &points, const SurfaceFrame &surface,
+             const ElementFrame &elements = {});
 
   unsigned int n_frames() const { return n_frames_; }
 

@@ -23,6 +23,19 @@ struct PointFrame
   std::vector<char> in_section;      // 1 if the point lies in the layer next to the plane y = 0
 };
 
+/// The finite elements owned by this rank, without those that are full of points; all vectors but
+/// those of the section have the same length.
+struct ElementFrame
+{
+  std::vector<std::array<Vector3, 8>> corners; // current, x + 2 y + 4 z of the cube [m]
+  std::vector<Vector3> displacement;           // of the middle [m]
+  std::vector<Vector3> velocity;               // of the middle [m/s]
+  std::vector<int> body;                       // number of the plate, from 1
+  // Places one grid spacing apart in the layer next to the plane y = 0, for the section picture.
+  std::vector<Vector3> section_position; // current [m]
+  std::vector<int> section_body;
+};
+
 /// A rigid projectile: closed surface of quadrilaterals (for ParaView) and its outline in the plane
 /// y = 0 (for the section picture); the same on all ranks.
 struct SurfaceFrame

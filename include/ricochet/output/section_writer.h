@@ -23,7 +23,7 @@ public:
   /// Writes frame number `number`, counted from 0 without gaps, at the time [s]; of the points only
   /// those in the section.
   void write(unsigned int number, double time, const PointFrame &points,
-             const SurfaceFrame &surface);
+             const SurfaceFrame &surface, const ElementFrame &elements = {});
 
 private:
   MPI_Comm comm_;

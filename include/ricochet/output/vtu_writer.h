@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Points and projectile for ParaView: a VTU file per rank and a PVTU file for the points, a VTU
-// file for the projectile, and results.pvd, which opens all times and both bodies as one time
-// series.
+// Points, elements and projectile for ParaView: a VTU file per rank and a PVTU file for the points
+// and for the elements, a VTU file for the projectile, and results.pvd, which opens all times and
+// all bodies as one time series.
 #pragma once
 
 #include "ricochet/output/frame.h"
@@ -22,9 +22,12 @@ public:
   /// Writes frame number `number`, counted from 0 without gaps, at the time [s]. results.pvd names
   /// the frame only after all its files are complete, so that it can be opened at any moment.
   void write(unsigned int number, double time, const PointFrame &points,
-             const SurfaceFrame &surface);
+             const SurfaceFrame &surface, const ElementFrame &elements = {});
 
 private:
+  template <class Frame>
+  std::string write_pieces(const std::string &name, unsigned int number, double time,
+                           const Frame &frame) const;
   void write_projectile(const std::string &file, double time, const SurfaceFrame &surface) const;
   void write_index() const;
 
@@ -32,6 +35,7 @@ private:
   {
     double time;                    // [s]
     std::string points, projectile; // file names relative to the results folder
+    std::string elements;           // likewise; "" if there are none
   };
 
   MPI_Comm comm_;

@@ -30,10 +30,12 @@ public:
   std::string description(OutputStyle = Machine) const override { return "[" + expected() + "]"; }
 };
 
-/// One quantity or a tuple of quantities of the same dimension.
+/// One quantity, a tuple of quantities of the same dimension, or a list of any length.
 class QuantityPattern : public EntryPattern
 {
 public:
+  static QuantityPattern list(Dimension dimension, Limit limit);
+
   /// components names the values of a tuple: {"length", "width"}; empty for a single value.
   QuantityPattern(Dimension dimension, Limit limit, std::vector<std::string> components = {});
 
@@ -48,7 +50,7 @@ private:
   Dimension dimension_;
   Limit limit_;
   std::vector<std::string> components_;
-  unsigned int n_values_;
+  unsigned int n_values_; // 0: any number above 0
 };
 
 /// One of several words.

@@ -14,7 +14,7 @@ namespace ricochet
 void write_parameters(const Parameters &parameters, std::ostream &out);
 
 /// Every entry with its example value, below its documentation and what is expected. Entries that
-/// stand for others (the second options of a Choice), or whose default depends on the file's name,
-/// are commented out.
+/// stand for others (the second options of a Choice), that add something (no default, no Choice),
+/// or whose default depends on the file's name, are commented out.
 void write_template(const std::vector<SectionDeclaration> &sections, std::ostream &out);
 } // namespace ricochet

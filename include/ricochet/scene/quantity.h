@@ -50,7 +50,8 @@ struct ParsedQuantity
  */
 ParsedQuantity parse_quantity(const std::string &text, Dimension dimension, Limit limit);
 
-/// The same for n_values quantities separated by commas; values is empty if there is a problem.
+/// The same for n_values quantities (0: one or more) separated by commas; values is empty if there
+/// is a problem.
 struct ParsedQuantities
 {
   std::vector<double> values;

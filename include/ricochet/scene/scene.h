@@ -8,6 +8,7 @@
 #include "ricochet/coupling/coupling_method.h"
 #include "ricochet/geometry/body_of_revolution.h"
 #include "ricochet/materials/influence_function.h"
+#include "ricochet/materials/relaxation.h"
 
 #include <array>
 #include <string>
@@ -21,9 +22,11 @@ struct MaterialParameters
   std::string bond_model;  // one of the names in materials/bond_laws.h
   double density;          // rho [kg/m^3]
   double bulk_modulus;     // K [Pa]
-  double shear_modulus;    // mu [Pa]
+  double shear_modulus;    // mu [Pa], the instantaneous one
   double critical_stretch; // s_c [-]; 0: not given, derive from the energy release rate
   double energy_release;   // G_c [J/m^2]; 0: not given
+  RelaxationSeries relaxation        = {}; // of the shear modulus, as given
+  HistoryPrecision history_precision = HistoryPrecision::single_precision;
 };
 
 struct PlateParameters

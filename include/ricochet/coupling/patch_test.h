@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The patch test on a plate as it is: under a uniform strain nothing should move. The skin of the
+// plate, one horizon thick, is held in the strained position (its points lack neighbours and would
+// relax whatever the coupling); everything else is released and comes to rest by conjugate
+// gradients with the very forces that a run integrates.
+#pragma once
+
+#include "ricochet/coupling/far_field.h"
+
+namespace ricochet
+{
+struct PatchReport
+{
+  double ghost_force;  // largest, on a node or point, in units of strain times M h^2 [-]
+  double strain_error; // largest difference from the strain, in units of it [-]
+  int n_iterations;    // of all strains together
+  int n_strains;       // six, or four with a symmetry plane, which forbids two shears
+};
+
+/// The plate is left at rest in its reference configuration. Without relaxation (no iterations) the
+/// strain error is not a number. Collective.
+PatchReport patch_test(MPI_Comm communicator, FarField &plate, int most_iterations = 200);
+} // namespace ricochet
