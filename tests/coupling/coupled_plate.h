@@ -56,8 +56,8 @@ struct CoupledPlate
     zone->grow(sample.more_of_zone);
     const double nu = sample.poisson_ratio;
     const double mu = 1e9 * (1. - 2. * nu) / (2. * (1. - nu)), K = 1e9 - 4. / 3. * mu;
-    const PeridynamicMaterial material{&bond_law(sample.law), 1000., K, mu,
-                                       sample.critical_stretch, sample.relaxation};
+    const PeridynamicMaterial material{&bond_law(sample.law), 1000., K, mu, sample.critical_stretch,
+                                       sample.relaxation};
     Lattice::Box box{Vector3::Zero(), sample.spacing, {}, sample.mirror_y};
     for (int d = 0; d < 3; ++d)
       box.n[d] = 2 * sample.n_cells[d];

@@ -8,13 +8,13 @@ namespace ricochet::tests
 {
 inline Scene coupled_scene()
 {
-  Scene scene                   = small_scene();
-  scene.plates[0].length        = 40e-3;
-  scene.plates[0].width         = 24e-3;
-  scene.plates[0].thickness     = 8e-3;
-  scene.plates[0].zone_boxes    = {{2e-3, 28e-3, -8e-3, 8e-3}};
-  scene.zone.kind               = ZoneKind::boxes;
-  scene.zone.coarsening_levels  = 0;
+  Scene scene                  = small_scene();
+  scene.plates[0].length       = 40e-3;
+  scene.plates[0].width        = 24e-3;
+  scene.plates[0].thickness    = 8e-3;
+  scene.plates[0].zone_boxes   = {{2e-3, 28e-3, -8e-3, 8e-3}};
+  scene.zone.kind              = ZoneKind::boxes;
+  scene.zone.coarsening_levels = 0;
   return scene;
 }
 } // namespace ricochet::tests

@@ -25,7 +25,8 @@ double shape(const int corner, const int sub)
 void compare(const CoupledSample &sample)
 {
   CoupledPlate plate(sample);
-  CellForces forces(*plate.points);
+  CellForces forces(*plate.points, {plate.points->material().bulk_modulus,
+                                    plate.points->material().shear_modulus});
   const auto &lattice = plate.points->lattice();
   const double strain = 1e-7;
   const double unit   = CoupledPlate::modulus * plate.edge() * plate.edge();
@@ -43,8 +44,7 @@ void compare(const CoupledSample &sample)
               (sample.mirror_y && (k == voigt_number[1][2] || k == voigt_number[0][1]) &&
                cell[1] < 3))
             return;
-          const auto &entry =
-              forces.of(cell, cell_pattern(*plate.zone, cell, sample.mirror_y));
+          const auto &entry = forces.of(cell, cell_pattern(*plate.zone, cell, sample.mirror_y));
           for (int corner = 0; corner < 8; ++corner)
             for (int d = 0; d < 3; ++d)
             {
@@ -54,8 +54,7 @@ void compare(const CoupledSample &sample)
                        plate.points->state().arrays.force[d][lattice.index(
                            2 * cell[0] + (sub & 1), 2 * cell[1] + ((sub >> 1) & 1),
                            2 * cell[2] + (sub >> 2))];
-              worst   = std::max(worst,
-                                 std::abs(sum / strain - entry.corner[corner][d][k]) / unit);
+              worst   = std::max(worst, std::abs(sum / strain - entry.corner[corner][d][k]) / unit);
               largest = std::max(largest, std::abs(entry.corner[corner][d][k]) / unit);
             }
         });
@@ -105,7 +104,8 @@ TEST(CellForces, StressShareFallsFromThePadToTheHalo)
   CoupledSample sample;
   sample.communicator = MPI_COMM_SELF;
   CoupledPlate plate(sample);
-  CellForces forces(*plate.points);
+  CellForces forces(*plate.points, {plate.points->material().bulk_modulus,
+                                    plate.points->material().shear_modulus});
   const auto share = [&](const Zone::Cell &cell)
   { return forces.of(cell, cell_pattern(*plate.zone, cell, false)).stress_share; };
   const double pad = share({4, 6, 6}), halo = share({3, 6, 6});
@@ -120,10 +120,10 @@ TEST(CellPattern, IsTheSameWhereBondsAreTheSame)
   Zone zone({30, 30, 20}, 2);
   zone.grow({{{10, 10, 7}, {20, 20, 13}}});
   const auto pattern = [&](const Zone::Cell &cell) { return cell_pattern(zone, cell, false); };
-  EXPECT_EQ(pattern({14, 9, 10}), pattern({15, 9, 10})); // along a face of the zone
-  EXPECT_NE(pattern({14, 9, 10}), pattern({14, 8, 10})); // another layer
+  EXPECT_EQ(pattern({14, 9, 10}), pattern({15, 9, 10}));  // along a face of the zone
+  EXPECT_NE(pattern({14, 9, 10}), pattern({14, 8, 10}));  // another layer
   EXPECT_NE(pattern({14, 9, 10}), pattern({14, 20, 10})); // another side
-  EXPECT_NE(pattern({14, 9, 10}), pattern({10, 9, 10})); // near an edge of the zone
+  EXPECT_NE(pattern({14, 9, 10}), pattern({10, 9, 10}));  // near an edge of the zone
   std::set<std::uint64_t> corners;
   for (int corner = 0; corner < 8; ++corner)
     corners.insert(pattern({corner & 1 ? 20 : 9, corner & 2 ? 20 : 9, corner & 4 ? 13 : 6}));

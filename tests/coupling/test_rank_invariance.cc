@@ -35,8 +35,8 @@ Record run(const MPI_Comm communicator, const Scene &scene, const int n_steps)
       add(motion.position);
       add(motion.velocity);
       const auto e = simulation.energies();
-      record.before_break.insert(record.before_break.end(), {e.projectile, e.kinetic, e.strain,
-                                                             e.hourglass, e.contact});
+      record.before_break.insert(record.before_break.end(),
+                                 {e.projectile, e.kinetic, e.strain, e.hourglass, e.contact});
       const auto m = simulation.momenta();
       add(m.linear);
       add(m.angular);
@@ -67,7 +67,9 @@ void expect_the_same_on_all_ranks(const Scene &scene, const int n_steps)
     }
     // Components that vanish by symmetry are measured by their sisters.
     const std::size_t first = k < 3 ? 0 : k < 6 ? 3 : k < 11 ? k : k < 14 ? 11 : 14;
-    for (std::size_t sister = first; sister < (k < 6 ? first + 3 : k < 11 ? k + 1 : first + 3);
+    for (std::size_t sister = first; sister < (k < 6    ? first + 3
+                                               : k < 11 ? k + 1
+                                                        : first + 3);
          ++sister)
       for (std::size_t i = sister; i < one.before_break.size(); i += n)
         largest = std::max(largest, std::abs(one.before_break[i]));

@@ -64,8 +64,8 @@ TEST(SlavedPoints, FollowLinearFieldsExactly)
     for_each_slaved(plate,
                     [&](const std::ptrdiff_t p, const Vector3 &X)
                     {
-                      const auto &a     = plate.points->state().arrays;
-                      const Vector3 x   = F * X + c;
+                      const auto &a   = plate.points->state().arrays;
+                      const Vector3 x = F * X + c;
                       for (int d = 0; d < 3; ++d)
                       {
                         EXPECT_NEAR(a.position[d][p], x[d], 1e-16);
@@ -91,7 +91,7 @@ TEST(SlavedPoints, HandOnTheirForcesByTheTranspose)
   slaved.follow(elements, plate.points->state());
   auto &a          = plate.points->state().arrays;
   double on_points = 0., magnitude = 0.;
-  Vector3 sum      = Vector3::Zero();
+  Vector3 sum = Vector3::Zero();
   for_each_slaved(plate,
                   [&](const std::ptrdiff_t p, const Vector3 &X)
                   {
@@ -127,9 +127,8 @@ TEST(SlavedPoints, LeaveFreePointsAlone)
   for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
     elements.position()[3 * node] += 1e-3;
   plate.far->lead();
-  plate.for_each_free(
-      [&](const std::ptrdiff_t p, const Vector3 &X)
-      { EXPECT_EQ(plate.points->state().arrays.position[0][p], X[0]); });
+  plate.for_each_free([&](const std::ptrdiff_t p, const Vector3 &X)
+                      { EXPECT_EQ(plate.points->state().arrays.position[0][p], X[0]); });
 }
 
 TEST(NodeLinks, FetchFromTheOwnersAndAddToThem)
@@ -144,7 +143,8 @@ TEST(NodeLinks, FetchFromTheOwnersAndAddToThem)
   for (std::int64_t node = rank % 3; node < mesh.n_global_nodes(); node += 3)
     wanted.push_back(node);
   NodeLinks links(MPI_COMM_WORLD, mesh, wanted);
-  std::vector<double> values(3 * static_cast<std::size_t>(mesh.n_nodes()), 0.), seen(3 * wanted.size());
+  std::vector<double> values(3 * static_cast<std::size_t>(mesh.n_nodes()), 0.),
+      seen(3 * wanted.size());
   for (int node = 0; node < mesh.n_owned_nodes(); ++node)
     for (int d = 0; d < 3; ++d)
       values[3 * node + d] = 10. * mesh.global_node(node) + d;

@@ -154,8 +154,7 @@ TEST(Zone, BlendIsTheSameOnAllSidesOfTheZone)
         EXPECT_EQ(zone.weight(x, y, z), zone.weight(17 - x, y, z));
         EXPECT_EQ(zone.weight(x, y, z), zone.weight(y, z, x));
         // Distance in points along the longest axis, corners included.
-        const int outside =
-            std::max({8 - x, x - 9, 8 - y, y - 9, 8 - z, z - 9, 0});
+        const int outside     = std::max({8 - x, x - 9, 8 - y, y - 9, 8 - z, z - 9, 0});
         const double expected = outside == 0 ? 1. : std::max(0., 1. - (outside - 0.5) / 4.);
         EXPECT_DOUBLE_EQ(zone.weight(x, y, z), expected) << x << ' ' << y << ' ' << z;
       }
