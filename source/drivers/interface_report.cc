@@ -2,6 +2,7 @@
 #include "ricochet/drivers/interface_report.h"
 
 #include "ricochet/base/units.h"
+#include "ricochet/dynamics/dispersion.h"
 
 #include <algorithm>
 #include <chrono>
@@ -37,12 +38,14 @@ std::vector<InterfaceReport> interface_reports(const MPI_Comm communicator, Simu
     if (!far || far->zone().n_slaved_cells() == 0)
       continue;
     InterfaceReport report{};
-    report.plate        = i;
-    report.patch        = patch_test(communicator, *far);
+    report.plate         = i;
+    report.patch         = patch_test(communicator, *far);
     const auto &estimate = simulation.frequencies()[i];
-    report.frequency    = std::sqrt(estimate.squared_frequency);
-    report.step_limit   = 2. / report.frequency;
-    report.time_step    = simulation.dt();
+    report.frequency     = std::sqrt(estimate.squared_frequency);
+    report.step_limit    = 2. / report.frequency;
+    report.predicted_limit =
+        predicted_time_step(far->points(), &simulation.zones()[i].options).step();
+    report.time_step = simulation.dt();
     report.share_of_volume =
         double(far->zone().n_free_cells()) / static_cast<double>(far->zone().n_cells_in_all());
     report.seconds_per_force = estimate.seconds_per_force;
@@ -67,9 +70,11 @@ void print(const std::vector<InterfaceReport> &reports)
     std::printf("  strain error %.3f %% after relaxation (%d iterations); limit %.1f %%   %s\n",
                 100. * r.patch.strain_error, r.patch.n_iterations,
                 100. * InterfaceReport::most_strain_error, verdict(r.strain_good()));
-    std::printf("  frequency    %.4g rad/us; step limit %.4g us, step of the run %.4g us (contact "
+    std::printf("  frequency    %.4g rad/us; step limit %.4g us (predicted %.4g us), step of the "
+                "run %.4g us (contact "
                 "included)   %s\n",
-                1e-6 * r.frequency, r.step_limit / us, r.time_step / us, verdict(r.step_good()));
+                1e-6 * r.frequency, r.step_limit / us, r.predicted_limit / us, r.time_step / us,
+                verdict(r.step_good()));
     std::printf(
         "  share        %.1f %% of the volume is peridynamic and takes %.0f %% of the force "
         "evaluation\n",

@@ -322,6 +322,7 @@ private:
           z["strain_error"]             = report.patch.strain_error;
           z["largest_frequency_rad_us"] = 1e-6 * report.frequency;
           z["step_limit_us"]            = report.step_limit / us;
+          z["predicted_step_limit_us"]  = report.predicted_limit / us;
           z["share_of_cost"]            = report.share_of_cost();
           z["limits_kept"]              = report.good();
         }

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// V9: plane waves in lattice and elements against numbers of an independent prototype (speeds for
+// nu = 0.35).
+#include "body.h"
+#include "ricochet/dynamics/dispersion.h"
+#include "ricochet/dynamics/finite_element_time_step.h"
+#include "ricochet/dynamics/stable_time_step.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+namespace ricochet::tests
+{
+namespace
+{
+constexpr double dx = 1e-3; // [m]
+
+/// rho = 1000 kg/m^3, c_P = 1000 m/s.
+FiniteElementMaterial solid(const double nu)
+{
+  const double mu = 1e9 * (1. - 2. * nu) / (2. * (1. - nu));
+  return {1000., 1e9 - 4. / 3. * mu, mu};
+}
+
+LatticeDispersion lattice(const double nu, const InfluenceFunction omega, const double m)
+{
+  const auto s = solid(nu);
+  return {make_stencil(dx, m, omega), bond_law("linear peridynamic solid"), s.density,
+          s.bulk_modulus, s.shear_modulus};
+}
+
+/// Largest stable step [dx/c_P].
+template <class Dispersion>
+double step(const Dispersion &dispersion)
+{
+  return 2. / std::sqrt(dispersion.largest_squared_frequency()) / (dx / 1000.);
+}
+
+/// Error of the phase speed in per cent; `number` of the wave, 0 the slowest. The wave vector in
+/// units of 1/length.
+template <class Dispersion>
+double speed_error(const Dispersion &dispersion, const Vector3 &k, const int number,
+                   const double length, const double speed)
+{
+  const Eigen::SelfAdjointEigenSolver<WaveMatrix> solver(dispersion.matrix(k));
+  return 100. * (std::sqrt(solver.eigenvalues()[number]) / (k.norm() / length) / speed - 1.);
+}
+
+TEST(Dispersion, LatticeIsThatOfThePrototype)
+{
+  const auto cone     = lattice(0.35, InfluenceFunction::cone, 3.);
+  const auto constant = lattice(0.35, InfluenceFunction::constant, 3.);
+  const double c_s    = std::sqrt(solid(0.35).shear_modulus / 1000.);
+  struct Row
+  {
+    double wavelength, p, s, p_constant; // [delta], [%]
+  };
+  // Table 2.3, printed to one or two digits.
+  for (const auto &row :
+       {Row{2., -20.9, -8.9, -29.5}, Row{3., -10.3, -4.1, -16.3}, Row{4., -6.0, -2.4, -10.7},
+        Row{6., -2.7, -1.1, -6.3}, Row{8., -1.5, -0.7, -4.7}, Row{16., -0.35, -0.25, -3.1},
+        Row{64., 0.02, -0.11, -2.6}})
+  {
+    const Vector3 k = 2. * M_PI / (3. * row.wavelength) * Vector3::UnitX();
+    EXPECT_NEAR(speed_error(cone, k, 2, dx, 1000.), row.p, 0.1) << row.wavelength;
+    EXPECT_NEAR(speed_error(cone, k, 0, dx, c_s), row.s, 0.1) << row.wavelength;
+    EXPECT_NEAR(speed_error(constant, k, 2, dx, 1000.), row.p_constant, 0.1) << row.wavelength;
+  }
+}
+
+TEST(Dispersion, ElementsLimitTheStepAsInThePrototype)
+{
+  for (const double nu : {0.25, 0.35, 0.40})
+    for (const auto quadrature : {Quadrature::one_point, Quadrature::full})
+    {
+      const ElementDispersion elements(2. * dx, solid(nu), quadrature);
+      // Table 2.2: 1.00 edges per c_P, two digits.
+      EXPECT_NEAR(step(elements), 2.00, 0.011) << nu;
+    }
+  // The same table: 0.936 in a box with free faces, nu = 0.35.
+  const ElementDispersion elements(2. * dx, solid(0.35), Quadrature::full);
+  EXPECT_NEAR(2. / std::sqrt(elements.largest_squared_frequency_of_block()) / 1e-6, 1.872, 0.02);
+}
+
+TEST(Dispersion, ElementsAreAsDispersiveAsInThePrototype)
+{
+  const ElementDispersion elements(2. * dx, solid(0.35), Quadrature::full);
+  struct Row
+  {
+    double wavelength, along, diagonal; // [delta], [%], directions 100 and 110
+  };
+  // Table 2.3, printed to two digits.
+  for (const auto &row : {Row{4., -4.5, -7.5}, Row{6., -2.0, -3.4}, Row{8., -1.1, -1.9}})
+  {
+    const double k = 2. * M_PI / (3. * row.wavelength) * 2.; // delta = 1.5 edges
+    EXPECT_NEAR(speed_error(elements, k * Vector3::UnitX(), 2, 2. * dx, 1000.), row.along, 0.1)
+        << row.wavelength;
+    EXPECT_NEAR(speed_error(elements, k * Vector3(1., 1., 0.).normalized(), 2, 2. * dx, 1000.),
+                row.diagonal, 0.1)
+        << row.wavelength;
+  }
+}
+
+TEST(Dispersion, BlockOfElementsHasTheFrequencyOfTheirOwnForceRoutine)
+{
+  const auto material = solid(0.35);
+  for (const auto quadrature : {Quadrature::one_point, Quadrature::full})
+    for (const double coefficient : {0.3, 1.})
+    {
+      FiniteElementForce::Options options;
+      options.quadrature            = quadrature;
+      options.hourglass_coefficient = coefficient;
+      FiniteElementForce body(MPI_COMM_SELF, {Vector3::Zero(), 2. * dx, {3, 3, 3}, false, {}},
+                              material, options);
+      const double measured =
+          estimate_largest_frequency(MPI_COMM_SELF, body, 1000).squared_frequency;
+      const double dense = ElementDispersion(2. * dx, material, quadrature, coefficient)
+                               .largest_squared_frequency_of_block(3);
+      // Power iteration comes from below; displacements of 1e-6 edges are linear to that order.
+      EXPECT_NEAR(measured / dense, 1., 1e-3) << coefficient;
+      EXPECT_LT(measured, (1. + 1e-5) * dense) << coefficient;
+    }
+}
+
+TEST(Dispersion, PredictsTheStepOfABlockOfPoints)
+{
+  BodySample sample;
+  sample.family        = {solid_with_poisson_ratio(0.35), InfluenceFunction::cone, 3.};
+  sample.n             = {16, 16, 16};
+  const auto body      = make_body(sample);
+  const auto predicted = predicted_time_step(*body);
+  const double measured =
+      2. / std::sqrt(estimate_largest_frequency(MPI_COMM_SELF, *body, 200).squared_frequency);
+  EXPECT_EQ(predicted.step(), predicted.points);
+  // The infinite lattice is the stiffest; a block of 16 points comes near.
+  EXPECT_GT(measured, predicted.points * (1. - 1e-6));
+  EXPECT_LT(measured, predicted.points * 1.03);
+}
+} // namespace
+} // namespace ricochet::tests
