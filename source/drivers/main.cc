@@ -7,6 +7,7 @@
 #include "ricochet/drivers/check.h"
 #include "ricochet/drivers/mesh.h"
 #include "ricochet/drivers/run.h"
+#include "ricochet/drivers/several_processes.h"
 #include "ricochet/drivers/study.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/scene/scene_reader.h"
@@ -36,6 +37,7 @@ struct Arguments
   ElementBenchOptions elements;
   SearchBenchOptions search;
   MeshOptions mesh;
+  int n_processes = 1; // read by start_processes()
 };
 
 ParameterFile parameter_file(const Arguments &arguments)
@@ -120,7 +122,8 @@ void declare(CLI::App &app, Arguments &arguments)
   elements->add_option("--instruction-set", arguments.elements.instruction_set,
                        "avx512, avx2 or baseline; default: the best one");
 
-  auto *search = bench->add_subcommand("search", "the contact searches; also under mpirun -np N");
+  auto *search =
+      bench->add_subcommand("search", "the contact searches, alone and on several processes");
   search->add_flag("--json", arguments.search.json, "one JSON object per row");
   search->add_option("--points", arguments.search.points, "numbers of points, comma-separated")
       ->delimiter(',')
@@ -139,6 +142,10 @@ void declare(CLI::App &app, Arguments &arguments)
       ->add_option("--brute-force-up-to", arguments.search.most_for_brute_force,
                    "points above which brute force is left out")
       ->capture_default_str();
+  search
+      ->add_option("--processes", arguments.n_processes,
+                   "measure on so many processes as well; they are started by mpirun")
+      ->check(CLI::Range(1, most_processes));
   search->add_option("--plot", arguments.search.picture,
                      "draw seconds over points into this PNG; the rows go beside it, as .jsonl");
 
@@ -186,6 +193,8 @@ int report(const std::exception &error, const int status)
 
 int main(int argc, char **argv)
 {
+  if (const int status = start_processes(argc, argv))
+    return status;
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // Debris and quiet regions drift into denormal numbers, on which the processor is a hundred times
   // slower.

@@ -140,8 +140,12 @@ void Simulation::build_projectile()
               << " mm. Raise 'Impact/Clearance' or move 'Impact/Entry point'.";
       throw InputError(message.str());
     }
+  DebrisContact::Friction friction;
+  if (contact.debris_friction > 0.)
+    friction = {friction_law_.get(), contact.debris_friction,
+                contact.friction.regularisation_speed};
   debris_ = std::make_unique<DebrisContact>(communicator_, plates_, contact.debris_factor,
-                                            scene_.symmetric, contact.search);
+                                            scene_.symmetric, contact.search, friction);
 }
 
 void Simulation::choose_time_step()
@@ -252,6 +256,7 @@ void Simulation::advance()
     }
     projectile_->record_work(i, *plates_[i], dt_);
   }
+  debris_->record_work(dt_);
   projectile_->advance(reaction_, dt_);
   time_ += dt_;
   ++step_;
@@ -282,6 +287,7 @@ EnergyBalance Simulation::energies() const
   e.contact             = reaction_.energy;
   e.debris              = debris_->energy();
   e.friction            = -projectile_->friction_work();
+  e.debris_friction     = 0. - debris_->friction_work(); // not -0
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     if (far_fields_[i])

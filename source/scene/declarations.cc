@@ -295,6 +295,9 @@ SectionDeclaration contact()
                     "15",
                     "Repulsion of separated points, in units of the short-range stiffness; 0 "
                     "switches it off"),
+       with_default("Debris friction factor", quantity(Dimension::number, Limit::not_negative), "0",
+                    "Friction between plates and in debris, in units of the projectile's "
+                    "coefficient; 0 switches it off"),
        with_default("Search method", choice(contact_search_names()), "linked cells",
                     "How separated points that touch are found; the result is the same")},
       {{{{"Kinetic friction", "Friction decay"}}, "Friction law", decaying_laws}}};
@@ -329,7 +332,11 @@ SectionDeclaration output(const std::string &stem)
                         "Time between two rows of the history"),
            with_default("ParaView files", flag(), "true",
                         "Whether the frames are written for ParaView"),
-           with_default("Pictures", flag(), "true", "Whether pictures are drawn at the end")},
+           with_default("Pictures", flag(), "true", "Whether pictures are drawn at the end"),
+           optional("Picture times", quantity_list(Dimension::time, Limit::not_negative),
+                    "45 us, 94 us, 142 us",
+                    "Times of the section's picture, ascending; the summary says where the "
+                    "projectile is then. By default six from the first to the last frame")},
           {}};
 }
 } // namespace
@@ -354,7 +361,7 @@ std::vector<SectionDeclaration> study_declarations(const std::string &stem)
 {
   SectionDeclaration study{
       "Study",
-      "Several runs: every scene with every combination of the axes' values.",
+      "Several runs: every scene with the axes' values.",
       {named_after_file("Title", text("any text"), stem, "A study",
                         "What the study is called in its results, by default like the file"),
        required("Scenes", text("parameter files separated by commas, relative to this file"),
@@ -363,8 +370,13 @@ std::vector<SectionDeclaration> study_declarations(const std::string &stem)
            "Output directory", text("a folder, relative to where the program is started"),
            "output/" + stem, "output/study",
            "Where the results go, one folder per case; by default output/ and the file's name"),
-       optional("Columns", text("names of columns separated by commas"), "outcome, exit_speed",
-                "Columns of the table of results")},
+       optional("Columns", text("names of columns separated by commas"), "outcome, exit_speed_m_s",
+                "Columns of the table of results: entries of summary.json"),
+       with_default("Combine", choice({"all", "one at a time"}), "all",
+                    "Whether the axes' values are combined, or each scene is run as it is and then "
+                    "with one value of one axis at a time"),
+       with_default("Pictures", flag(), "true",
+                    "Whether a comparison of the first eight cases is drawn at the end")},
       {}};
   for (char number = '1'; number <= '9'; ++number)
     study.entries.push_back(optional(

@@ -428,11 +428,17 @@ ContactParameters read_contact(const Parameters &parameters)
       parameters.text(in, "Friction law"), parameters.quantity(in, "Static friction"),
       parameters.quantity(in, "Kinetic friction"), parameters.quantity(in, "Friction decay"),
       parameters.quantity(in, "Regularisation speed")};
+  if (parameters.quantity(in, "Debris friction factor") > 0. &&
+      parameters.quantity(in, "Debris stiffness factor") == 0.)
+    parameters.fail(in, "Debris friction factor",
+                    "Separated points that do not repel have nothing to rub against.",
+                    "Set 'Debris stiffness factor' above 0 (15 is usual), or this one to 0.");
   return {parameters.quantity(in, "Stiffness factor"),
           friction,
           parameters.quantity(in, "Shank resistance"),
           parameters.quantity(in, "Shank contact fraction"),
           parameters.quantity(in, "Debris stiffness factor"),
+          parameters.quantity(in, "Debris friction factor"),
           parameters.text(in, "Search method")};
 }
 
@@ -449,9 +455,21 @@ TimeParameters read_time(const Parameters &parameters)
 OutputParameters read_output(const Parameters &parameters)
 {
   const std::string in = "Output";
-  return {parameters.text(in, "Directory"), parameters.quantity(in, "Frame interval"),
-          parameters.quantity(in, "History interval"), parameters.flag(in, "ParaView files"),
-          parameters.flag(in, "Pictures")};
+  std::vector<double> times;
+  if (parameters.is_given(in, "Picture times"))
+    times = parameters.quantities(in, "Picture times");
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (times[i] <= times[i - 1])
+      parameters.fail(in, "Picture times",
+                      "Time " + std::to_string(i + 1) + " does not come after time " +
+                          std::to_string(i) + ".",
+                      "Write the times in ascending order, each once.");
+  return {parameters.text(in, "Directory"),
+          parameters.quantity(in, "Frame interval"),
+          parameters.quantity(in, "History interval"),
+          parameters.flag(in, "ParaView files"),
+          parameters.flag(in, "Pictures"),
+          times};
 }
 } // namespace
 

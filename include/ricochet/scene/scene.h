@@ -100,7 +100,8 @@ struct ContactParameters
   FrictionParameters friction;   // projectile on plate
   double shank_resistance;       // A, target resistance on the shank [Pa]
   double shank_contact_fraction; // k, 0 switches shank friction off [-]
-  double debris_factor; // of the short-range stiffness 18 K/(pi delta^4), 0 switches off [-]
+  double debris_factor;        // of the short-range stiffness 18 K/(pi delta^4), 0 switches off [-]
+  double debris_friction = 0.; // of points on points, in units of the projectile's; 0: none [-]
   std::string search = "linked cells"; // one of contact_search_names() in forces/contact_search.h
 };
 
@@ -119,6 +120,8 @@ struct OutputParameters
   double history_interval; // between history rows [s]
   bool vtu;                // write files for ParaView
   bool pictures;           // draw PNGs at the end
+  /// Of the section's picture, ascending [s]; none: evenly spaced.
+  std::vector<double> picture_times = {};
 };
 
 struct Scene
