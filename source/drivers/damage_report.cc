@@ -1,13 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/drivers/damage_report.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 namespace ricochet
 {
 namespace
 {
+/// Bonds of a box full of points, as the model computes it. What finite elements carry counts as if
+/// it had bonds: shares are then the same whatever the zone.
+double bonds_of_box(const Lattice &lattice)
+{
+  const auto &n = lattice.box().n;
+  double bonds  = 0.;
+  for (const auto &o : lattice.stencil().offsets)
+  {
+    // Half of the bonds of the mirrored box, which has twice as many points across.
+    const double across =
+        lattice.box().mirror_y ? n[1] - 0.5 * std::abs(o.y) : n[1] - std::abs(o.y);
+    bonds += std::max(0, n[0] - std::abs(o.x)) * std::max(0., across) *
+             std::max(0, n[2] - std::abs(o.z));
+  }
+  return bonds;
+}
+
 void sum_on_first_rank(const MPI_Comm communicator, std::vector<float> &values)
 {
   int rank;
@@ -47,11 +66,9 @@ std::vector<PlateDamage> DamageReport::plates() const
             n[c[2] == 0] += 1.;
         });
     MPI_Allreduce(MPI_IN_PLACE, n, 2, MPI_DOUBLE, MPI_SUM, communicator_);
-    const double area  = (lattice.box().mirror_y ? 2. : 1.) * std::pow(lattice.box().spacing, 2);
-    // Of all bonds there have been: a zone may have grown since the start.
-    const double sound = plate.count_sound_bonds();
-    damage.push_back(
-        {sound > 0. ? 1. - plate.count_bonds() / sound : 0., area * n[0], area * n[1]});
+    const double area   = (lattice.box().mirror_y ? 2. : 1.) * std::pow(lattice.box().spacing, 2);
+    const double broken = plate.count_sound_bonds() - plate.count_bonds();
+    damage.push_back({broken / bonds_of_box(lattice), area * n[0], area * n[1]});
   }
   return damage;
 }

@@ -36,8 +36,8 @@ struct Arguments
   KernelBenchOptions bench;
   ElementBenchOptions elements;
   SearchBenchOptions search;
-  MeshOptions mesh;
   int n_processes = 1; // read by start_processes()
+  MeshOptions mesh;
 };
 
 ParameterFile parameter_file(const Arguments &arguments)

@@ -16,6 +16,8 @@ struct CoupledSample
 {
   std::array<int, 3> n_cells{14, 14, 14};
   Zone::Cells zone{{5, 5, 5}, {9, 9, 9}};
+  std::vector<Zone::Cells> more_of_zone;
+  int pad_layers = 0; // 0: what the method asks for
   CouplingParameters coupling;
   FarFieldOptions far;
   double poisson_ratio        = 0.35;
@@ -29,18 +31,33 @@ struct CoupledSample
   RelaxationSeries relaxation = {};
 };
 
+/// I plus the strain with this number (11, 22, 33, 23, 13, 12; shear in the engineering sense).
+inline Eigen::Matrix3d strained(const int number, const double strain)
+{
+  constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  F(row[number], column[number]) += 0.5 * strain;
+  F(column[number], row[number]) += 0.5 * strain;
+  return F;
+}
+
 /// Density 1000 kg/m^3 and K + 4 mu/3 = 1 GPa, so that c_P = 1000 m/s.
 struct CoupledPlate
 {
-  explicit CoupledPlate(const CoupledSample &sample) : spacing(sample.spacing)
+  explicit CoupledPlate(const CoupledSample &sample) :
+    spacing(sample.spacing), corrects_mass(sample.coupling.correct_mass)
   {
     const auto stencil = make_stencil(sample.spacing, sample.horizon_ratio, sample.influence);
-    zone = std::make_unique<Zone>(make_zone(sample.n_cells, stencil, sample.coupling));
+    zone               = std::make_unique<Zone>(
+        sample.pad_layers > 0
+                          ? Zone(sample.n_cells, stencil.reach, BlendFunction::step, sample.pad_layers)
+                          : make_zone(sample.n_cells, stencil, sample.coupling));
     zone->grow({sample.zone});
+    zone->grow(sample.more_of_zone);
     const double nu = sample.poisson_ratio;
     const double mu = 1e9 * (1. - 2. * nu) / (2. * (1. - nu)), K = 1e9 - 4. / 3. * mu;
-    const PeridynamicMaterial material{&bond_law(sample.law), 1000., K, mu,
-                                       sample.critical_stretch, sample.relaxation};
+    const PeridynamicMaterial material{&bond_law(sample.law), 1000., K, mu, sample.critical_stretch,
+                                       sample.relaxation};
     Lattice::Box box{Vector3::Zero(), sample.spacing, {}, sample.mirror_y};
     for (int d = 0; d < 3; ++d)
       box.n[d] = 2 * sample.n_cells[d];
@@ -50,6 +67,9 @@ struct CoupledPlate
     options.coupling = sample.coupling;
     far              = std::make_unique<FarField>(sample.communicator, *points, *zone, options);
   }
+
+  static constexpr double density = 1000., modulus = 1e9, p_wave_speed = 1000.; // [SI]
+  double edge() const { return Zone::points_per_edge * spacing; }               // of a cell [m]
 
   template <class Visitor>
   void for_each_free(Visitor &&visit)
@@ -61,6 +81,26 @@ struct CoupledPlate
           if (lattice.free(p))
             visit(p, lattice.reference_position(lattice.coordinates(p)));
         });
+  }
+
+  /// Largest component of a force on a free point or a node whose reference position is accepted
+  /// [N]. Collective.
+  template <class Accept>
+  double largest_force(Accept &&accept)
+  {
+    double largest = 0.;
+    for_each_free(
+        [&](const std::ptrdiff_t p, const Vector3 &X)
+        {
+          for (int d = 0; d < 3 && accept(X); ++d)
+            largest = std::max(largest, std::abs(points->state().arrays.force[d][p]));
+        });
+    const auto &elements = far->elements();
+    for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
+      for (int d = 0; d < 3 && accept(elements.mesh().reference_position(node)); ++d)
+        largest = std::max(largest, std::abs(elements.force()[3 * node + d]));
+    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    return largest;
   }
 
   /// Moves points and nodes to map(X) and evaluates forces and energies.
@@ -92,6 +132,47 @@ struct CoupledPlate
     far->evaluate(energy);
   }
 
+  /// Momenta of the nodes anew, after their velocities have been set.
+  void velocities_were_set()
+  {
+    auto &elements = far->elements();
+    elements.update_ghosts();
+    std::vector<int> pad;
+    for (std::size_t e = 0; e < elements.mesh().elements().size(); ++e)
+    {
+      const auto cell =
+          cell_at(points->lattice().box(), elements.mesh().centre(elements.mesh().elements()[e]));
+      const int layer = zone->layer(cell);
+      if (layer > 0 && layer <= zone->pad_layers())
+        pad.push_back(static_cast<int>(e));
+    }
+    if (corrects_mass)
+      elements.set_consistent_mass(pad);
+    far->lead();
+  }
+
+  /// Velocities of free points and nodes become v(X), half a step before the present.
+  template <class Field>
+  void set_velocity(Field &&v)
+  {
+    for_each_free(
+        [&](const std::ptrdiff_t p, const Vector3 &X)
+        {
+          const Vector3 value = v(X);
+          for (int d = 0; d < 3; ++d)
+            points->state().arrays.velocity[d][p] = value[d];
+        });
+    auto &elements = far->elements();
+    for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
+    {
+      const Vector3 value = v(elements.mesh().reference_position(node));
+      for (int d = 0; d < 3; ++d)
+        if (elements.inverse_mass(node, d) > 0.)
+          elements.velocity()[3 * node + d] = value[d];
+    }
+    velocities_were_set();
+  }
+
   void advance(const double kick, const double drift)
   {
     points->advance(kick, drift);
@@ -99,7 +180,8 @@ struct CoupledPlate
     far->lead();
   }
 
-  double spacing;
+  double spacing; // dx [m]
+  bool corrects_mass;
   std::unique_ptr<Zone> zone;
   std::unique_ptr<PeridynamicForce> points;
   std::unique_ptr<FarField> far;

@@ -9,7 +9,7 @@ namespace ricochet
 {
 struct PlateDamage
 {
-  double broken_share; // of the bonds the plate has had [-]
+  double broken_share; // of the bonds of the whole plate, had it no elements [-]
   // Area of the faces' points that have lost more than damaged_share of their bonds, both halves.
   double front_area, rear_area; // [m^2]
 };
