@@ -54,7 +54,7 @@ struct HalfOfTheCrash
 
 TEST(V8Bars, TouchForTwoPassagesAndExchangeTheirVelocities)
 {
-  constexpr int n_cells = 100, section = 3;
+  constexpr int n_cells = 200, section = 3;
   const double L = 2 * n_cells * dx, v = 0.2;
   const double E = p_modulus * (1. + nu) * (1. - 2. * nu) / (1. - nu), c = std::sqrt(E / density);
   HalfOfTheCrash left(0, -L - 0.21 * dx, n_cells, section, false),
@@ -92,7 +92,7 @@ TEST(V8Bars, TouchForTwoPassagesAndExchangeTheirVelocities)
       half->far->lead();
     }
   }
-  const double v_left = left.far->momenta().linear.x() / mass,
+  const double v_left  = left.far->momenta().linear.x() / mass,
                v_right = right.far->momenta().linear.x() / mass;
   std::printf("contact time %.4f of 2 L/c, velocities %.4f %.4f of v\n",
               (last - first) / (2. * L / c), v_left / v, v_right / v);

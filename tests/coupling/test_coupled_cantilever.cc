@@ -53,10 +53,10 @@ double frequency(const int n_cells_thick, const int zone_length)
                     { inertia += bar.points->point_mass() * displacement(X).squaredNorm(); });
   const auto &elements = bar.far->elements();
   for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
-    inertia += elements.mass(node) * displacement(elements.mesh().reference_position(node)).squaredNorm();
+    inertia +=
+        elements.mass(node) * displacement(elements.mesh().reference_position(node)).squaredNorm();
   const double squared = 2. * (energies.strain + energies.hourglass) / inertia;
-  const double E =
-      CoupledPlate::modulus * (1. + nu) * (1. - 2. * nu) / (1. - nu);
+  const double E       = CoupledPlate::modulus * (1. + nu) * (1. - 2. * nu) / (1. - nu);
   return std::sqrt(squared) /
          (b * b * std::sqrt(E / CoupledPlate::density) * thickness / std::sqrt(12.));
 }
@@ -65,7 +65,8 @@ TEST(V11Cantilever, OfPointsAndElements)
 {
   // 13 horizons thick; points in the first tenth, where it bends most.
   const double coupled = frequency(20, 20);
-  std::printf("coupled: %.4f of Bernoulli's frequency, %.1f Hz of PMMA's 269\n", coupled, 269. * coupled);
+  std::printf("coupled: %.4f of Bernoulli's frequency, %.1f Hz of PMMA's 269\n", coupled,
+              269. * coupled);
   EXPECT_NEAR(coupled, 1., 0.03);
 }
 
