@@ -40,6 +40,27 @@ inline Scene two_plates()
   return scene;
 }
 
+/// The same projectile of finite elements, coarse.
+inline Scene deformable(Scene scene)
+{
+  scene.projectile.model          = ProjectileModel::finite_elements;
+  scene.projectile.youngs_modulus = 202e9;
+  scene.projectile.poissons_ratio = 0.3;
+  scene.projectile.refinement     = 1;
+  return scene;
+}
+
+/// The same of peridynamic points.
+inline Scene peridynamic(Scene scene)
+{
+  scene.projectile.model          = ProjectileModel::peridynamic;
+  scene.projectile.youngs_modulus = 202e9;
+  scene.projectile.poissons_ratio = 0.3;
+  scene.projectile.spacing        = 0.5e-3;
+  scene.projectile.refinement     = 1;
+  return scene;
+}
+
 /// With branches that relax during the few tens of microseconds of such a scene.
 inline Scene relaxing(Scene scene, const HistoryPrecision precision)
 {

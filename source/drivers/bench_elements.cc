@@ -49,10 +49,12 @@ void bench_elements(const MPI_Comm communicator, const ElementBenchOptions &opti
   if (n < 8 || n > 200 || options.repeats < 1)
     throw InputError("bench elements: --edge " + std::to_string(n) + " and --repeats " +
                      std::to_string(options.repeats) + " must lie in 8 to 200 and be at least 1.");
+  if (options.element == "general")
+    return bench_general_elements(communicator, options);
   if (options.element != "one point" && options.element != "full" &&
       options.element != "own tensors")
     throw InputError("bench elements: there is no element '" + options.element +
-                     "'; choose 'one point', 'full' or 'own tensors'.");
+                     "'; choose 'one point', 'full', 'own tensors' or 'general'.");
   if (options.branches < 0 || options.branches > max_maxwell_branches)
     throw InputError("bench elements: --viscous " + std::to_string(options.branches) +
                      " must lie in 0 to " + std::to_string(max_maxwell_branches) + ".");

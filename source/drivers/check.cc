@@ -148,6 +148,12 @@ bool check(const MPI_Comm communicator, const ParameterFile &file, const CheckOp
               scene.projectile.mass / body.volume(), scene.impact.speed,
               scene.impact.incidence_angle / deg,
               0.5e-3 * scene.projectile.mass * scene.impact.speed * scene.impact.speed);
+  if (simulation.projectile().n_elements() > 0)
+    std::printf("  deformable   %d %s%s, E %.4g GPa, nu %.3f\n",
+                simulation.projectile().n_elements(),
+                scene.projectile.model == ProjectileModel::peridynamic ? "points" : "hexahedra",
+                scene.symmetric ? " in the half computed" : "",
+                scene.projectile.youngs_modulus / GPa, scene.projectile.poissons_ratio);
   print_plates(simulation);
   std::printf("size           %.0f points, %.4g M bonds\n", points, bonds / 1e6);
   std::printf("memory         %.3g GB on %d rank%s\n", memory / 1e9, n_ranks,
@@ -156,6 +162,10 @@ bool check(const MPI_Comm communicator, const ParameterFile &file, const CheckOp
               "the squared frequency)\n",
               simulation.dt() / us, scene.time.safety_factor * 2. / info.frequency / us,
               100. * info.contact_share);
+  if (info.projectile_dt < info.plates_dt)
+    std::printf("  limited by   the projectile; the plates alone would allow %.4g us: a rigid "
+                "projectile takes %.1f times fewer steps\n",
+                info.plates_dt / us, info.plates_dt / info.projectile_dt);
   std::printf("steps          at most %.0f to %.4g us%s\n", steps, scene.time.end_time / us,
               scene.time.stop_early ? "; ends when the outcome is decided" : "");
   std::printf("speed          %.0f M directed bonds/s on %d rank%s (%s)\n",

@@ -5,7 +5,9 @@
 #include "ricochet/drivers/bench_elements.h"
 #include "ricochet/drivers/bench_search.h"
 #include "ricochet/drivers/check.h"
+#include "ricochet/drivers/mesh.h"
 #include "ricochet/drivers/run.h"
+#include "ricochet/drivers/several_processes.h"
 #include "ricochet/drivers/study.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/scene/scene_reader.h"
@@ -34,6 +36,8 @@ struct Arguments
   KernelBenchOptions bench;
   ElementBenchOptions elements;
   SearchBenchOptions search;
+  int n_processes = 1; // read by start_processes()
+  MeshOptions mesh;
 };
 
 ParameterFile parameter_file(const Arguments &arguments)
@@ -70,6 +74,11 @@ void declare(CLI::App &app, Arguments &arguments)
                   "test the interface between peridynamics and finite elements on this scene; exit "
                   "status 1 if a limit is not kept");
 
+  auto *mesh = app.add_subcommand(
+      "mesh", "generate or read the projectile's mesh and print what it is worth");
+  add_scene(mesh);
+  mesh->add_option("--write", arguments.mesh.write, "gmsh file to write");
+
   auto *study = app.add_subcommand("study", "run scenes over one or more axes and print one table");
   study->add_option("file", arguments.file, "study file (.prm with a section Study)")->required();
   study->add_flag("--resume", arguments.study.resume, "go on: skip the cases that are finished");
@@ -102,7 +111,9 @@ void declare(CLI::App &app, Arguments &arguments)
       ->capture_default_str();
   elements->add_option("--repeats", arguments.elements.repeats, "timed repeats, the median counts")
       ->capture_default_str();
-  elements->add_option("--element", arguments.elements.element, "one point, full or own tensors")
+  elements
+      ->add_option("--element", arguments.elements.element,
+                   "one point, full, own tensors or general")
       ->capture_default_str();
   elements
       ->add_option("--viscous", arguments.elements.branches,
@@ -111,7 +122,8 @@ void declare(CLI::App &app, Arguments &arguments)
   elements->add_option("--instruction-set", arguments.elements.instruction_set,
                        "avx512, avx2 or baseline; default: the best one");
 
-  auto *search = bench->add_subcommand("search", "the contact searches; also under mpirun -np N");
+  auto *search =
+      bench->add_subcommand("search", "the contact searches, alone and on several processes");
   search->add_flag("--json", arguments.search.json, "one JSON object per row");
   search->add_option("--points", arguments.search.points, "numbers of points, comma-separated")
       ->delimiter(',')
@@ -130,6 +142,10 @@ void declare(CLI::App &app, Arguments &arguments)
       ->add_option("--brute-force-up-to", arguments.search.most_for_brute_force,
                    "points above which brute force is left out")
       ->capture_default_str();
+  search
+      ->add_option("--processes", arguments.n_processes,
+                   "measure on so many processes as well; they are started by mpirun")
+      ->check(CLI::Range(1, most_processes));
   search->add_option("--plot", arguments.search.picture,
                      "draw seconds over points into this PNG; the rows go beside it, as .jsonl");
 
@@ -148,6 +164,8 @@ int execute(const CLI::App &app, const Arguments &arguments)
   }
   if (app.got_subcommand("check"))
     return check(communicator, parameter_file(arguments), arguments.check) ? 0 : 1;
+  if (app.got_subcommand("mesh"))
+    mesh(communicator, parameter_file(arguments), arguments.mesh);
   if (app.got_subcommand("study"))
     return study(communicator, arguments.file, arguments.study) == 0 ? 0 : 4;
   if (app.got_subcommand("bench"))
@@ -175,6 +193,8 @@ int report(const std::exception &error, const int status)
 
 int main(int argc, char **argv)
 {
+  if (const int status = start_processes(argc, argv))
+    return status;
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // Debris and quiet regions drift into denormal numbers, on which the processor is a hundred times
   // slower.

@@ -3,6 +3,7 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
+#include "ricochet/drivers/damage_report.h"
 #include "ricochet/drivers/interface_report.h"
 #include "ricochet/drivers/interruption.h"
 #include "ricochet/drivers/outcome.h"
@@ -52,6 +53,7 @@ const std::vector<History::Column> history_columns{{"time", "us"},
                                                    {"force y", "kN"},
                                                    {"force z", "kN"},
                                                    {"energy projectile", "J"},
+                                                   {"energy elastic", "J"},
                                                    {"energy kinetic", "J"},
                                                    {"energy strain", "J"},
                                                    {"energy hourglass", "J"},
@@ -59,6 +61,7 @@ const std::vector<History::Column> history_columns{{"time", "us"},
                                                    {"energy contact", "J"},
                                                    {"energy debris", "J"},
                                                    {"work friction", "J"},
+                                                   {"work debris friction", "J"},
                                                    {"energy fracture", "J"},
                                                    {"energy viscous", "J"},
                                                    {"energy residual", "J"},
@@ -87,7 +90,7 @@ public:
   Run(const MPI_Comm communicator, const ParameterFile &file, const RunOptions &options) :
     communicator_(communicator), start_cpu_seconds_(cpu_seconds(communicator)), file_(file),
     options_(options), scene_(read_scene(file)), simulation_(communicator, scene_),
-    watch_(simulation_), directory_(scene_.output.directory)
+    watch_(simulation_), damage_(communicator, simulation_), directory_(scene_.output.directory)
   {
     MPI_Comm_size(communicator, &n_ranks_);
     prepare_result_directory(communicator, directory_, options.force);
@@ -101,7 +104,7 @@ public:
     history_       = std::make_unique<History>(communicator, directory_, history_columns);
     frames_        = std::make_unique<FieldWriter>(communicator, directory_, scene_.output.vtu);
     n_points_      = simulation_.n_points();
-    n_bonds_       = simulation_.n_bonds();
+    n_bonds_       = damage_.n_bonds();
     start_momenta_ = simulation_.momenta();
     interfaces_    = interface_reports(communicator, simulation_);
   }
@@ -117,7 +120,7 @@ public:
     {
       // What there is stays usable: close the history and say what happened.
       progress.finish();
-      finish({Outcome::undecided, "none", error.what()}, /*failed=*/true);
+      finish({Outcome::undecided, "none", 0, error.what()}, /*failed=*/true);
       throw;
     }
     progress.finish();
@@ -133,9 +136,10 @@ private:
     Interruption interruption;
     for (bool last = false;;)
     {
-      const bool record_due = last || simulation_.time() >= next_record_;
-      const bool frame_due =
-          scene_.output.frame_interval > 0. && (last || simulation_.time() >= next_frame_);
+      const bool record_due  = last || simulation_.time() >= next_record_;
+      const bool picture_due = is_picture_due();
+      const bool frame_due   = picture_due || (scene_.output.frame_interval > 0. &&
+                                             (last || simulation_.time() >= next_frame_));
       simulation_.evaluate(record_due);
       watch_.update();
       warn_about_penetration();
@@ -143,6 +147,8 @@ private:
         record();
       if (frame_due)
         write_frame();
+      if (picture_due)
+        note_position();
       show(progress);
       if (last)
         return;
@@ -191,6 +197,7 @@ private:
                       force.y() / 1e3,
                       force.z() / 1e3,
                       energies_.projectile,
+                      energies_.elastic,
                       energies_.kinetic,
                       energies_.strain,
                       energies_.hourglass,
@@ -198,6 +205,7 @@ private:
                       energies_.contact,
                       energies_.debris,
                       energies_.friction,
+                      energies_.debris_friction,
                       energies_.fracture,
                       energies_.viscous,
                       energies_.residual(),
@@ -214,9 +222,33 @@ private:
     }
   }
 
+  bool is_picture_due() const
+  {
+    const auto &times = scene_.output.picture_times;
+    return positions_.size() < times.size() && simulation_.time() >= times[positions_.size()];
+  }
+
+  /// Where the projectile is at a stated time, or rather in the first step after it.
+  void note_position()
+  {
+    const auto &motion = simulation_.projectile().motion();
+    nlohmann::ordered_json position;
+    position["stated_us"] = scene_.output.picture_times[positions_.size()] / us;
+    position["time_us"]   = simulation_.time() / us;
+    position["x_mm"]      = motion.position.x() / mm;
+    position["y_mm"]      = motion.position.y() / mm;
+    position["z_mm"]      = motion.position.z() / mm;
+    position["path_mm"]   = watch_.path() / mm;
+    position["speed_m_s"] = motion.velocity.norm();
+    position["pitch_deg"] = simulation_.projectile().pitch() / deg;
+    position["angle_deg"] =
+        std::atan2(motion.velocity.z(), std::hypot(motion.velocity.x(), motion.velocity.y())) / deg;
+    positions_.push_back(position);
+  }
+
   void write_frame()
   {
-    while (next_frame_ <= simulation_.time())
+    while (scene_.output.frame_interval > 0. && next_frame_ <= simulation_.time())
       next_frame_ += scene_.output.frame_interval;
     frames_->write(simulation_.time(), simulation_.points(), simulation_.surface(),
                    simulation_.elements());
@@ -328,12 +360,14 @@ private:
     s["outcome"]        = name_of(verdict.outcome);
     s["reason"]         = verdict.reason;
     s["exit_face"]      = verdict.exit_face;
+    s["exit_plate"]     = verdict.exit_plate;
     s["exit_speed_m_s"] = motion.velocity.norm();
     s["exit_angle_deg"] =
         std::atan2(motion.velocity.z(), std::hypot(motion.velocity.x(), motion.velocity.y())) / deg;
     s["pitch_deg"]              = simulation_.projectile().pitch() / deg;
     s["max_depth_mm"]           = watch_.max_depth() / mm;
     s["path_mm"]                = watch_.path() / mm;
+    s["contact_duration_us"]    = watch_.contact_duration() / us;
     s["time_us"]                = simulation_.time() / us;
     s["energy_residual"]        = residual();
     s["energy_viscous"]         = share(energies_.viscous);
@@ -354,9 +388,25 @@ private:
     s["interrupted"]            = interrupted_;
     s["failed"]                 = failed;
     s["version"]                = RICOCHET_VERSION;
+    add_damage(s);
+    if (!positions_.empty())
+      s["positions"] = positions_;
     write_summary(communicator_, directory_, s);
+    write_damage_maps(communicator_, directory_, damage_.maps());
     history_->close();
     return s;
+  }
+
+  void add_damage(nlohmann::ordered_json &summary) const
+  {
+    const auto plates = damage_.plates();
+    for (std::size_t i = 0; i < plates.size(); ++i)
+    {
+      const std::string plate               = "plate_" + std::to_string(i + 1);
+      summary[plate + "_broken_share"]      = plates[i].broken_share;
+      summary[plate + "_front_damaged_mm2"] = plates[i].front_area / (mm * mm);
+      summary[plate + "_rear_damaged_mm2"]  = plates[i].rear_area / (mm * mm);
+    }
   }
 
   MPI_Comm communicator_;
@@ -366,6 +416,7 @@ private:
   Scene scene_;
   Simulation simulation_;
   OutcomeWatch watch_;
+  DamageReport damage_;
   std::filesystem::path directory_;
   std::unique_ptr<History> history_;
   std::unique_ptr<FieldWriter> frames_;
@@ -375,7 +426,8 @@ private:
   int n_ranks_;
   double n_points_, n_bonds_, broken_bonds_ = 0.;
   double next_record_ = 0., next_frame_ = 0.; // [s]
-  double deepest_ = 0.;                       // penetration [dx]
+  nlohmann::ordered_json positions_ = nlohmann::ordered_json::array();
+  double deepest_                   = 0.; // penetration [dx]
   bool warned_ = false, interrupted_ = false;
   std::string stop_reason_;
 

@@ -114,29 +114,11 @@ void Simulation::build_plates()
 void Simulation::build_projectile()
 {
   const auto &impact = scene_.impact;
-  const BodyOfRevolution body(scene_.projectile.shape);
-  const double inclination = impact.incidence_angle - impact.attack_angle; // of the axis, nose down
-  RigidBody::Motion start;
-  start.orientation = Eigen::AngleAxisd(inclination, Vector3::UnitY());
-  start.velocity    = impact.speed *
-                   Vector3(std::cos(impact.incidence_angle), 0., -std::sin(impact.incidence_angle));
-  start.spin = Vector3::Zero();
-
-  // The lowest point of the body goes above the entry point, at the clearance.
-  const Vector3 axis = start.orientation * Vector3::UnitX();
-  Vector3 down       = -(Vector3::UnitZ() - axis.z() * axis);
-  down               = down.norm() > 1e-9 ? Vector3(down.normalized()) : Vector3(Vector3::Zero());
-  Vector3 lowest     = Vector3::Constant(std::numeric_limits<double>::max());
-  for (const auto &[x, r] : body.profile(200))
-    if (const Vector3 point = x * axis + r * down; point.z() < lowest.z())
-      lowest = point;
-  start.position = Vector3(impact.entry_x, impact.entry_y, impact.clearance) - lowest;
-
-  projectile_ = std::make_unique<RigidBody>(body, scene_.projectile.mass, start, scene_.symmetric);
-  initial_energy_ = 0.5 * scene_.projectile.mass * impact.speed * impact.speed;
+  initial_energy_    = 0.5 * scene_.projectile.mass * impact.speed * impact.speed;
 
   const auto &contact = scene_.contact;
   friction_law_       = make_friction_law(contact.friction);
+  std::vector<PlateContact> plate_contacts;
   for (const auto &plate : plates_)
   {
     const double spacing = plate->lattice().box().spacing;
@@ -145,28 +127,32 @@ void Simulation::build_projectile()
     parameters.shank_force =
         contact.shank_contact_fraction * contact.shank_resistance * spacing * spacing;
     parameters.regularisation_speed = contact.friction.regularisation_speed;
-    contacts_.emplace_back(communicator_, *friction_law_, parameters, scene_.symmetric,
-                           plate->lattice().box().n[0]);
+    plate_contacts.push_back({parameters, spacing, plate->lattice().box().n[0]});
     fractures_.emplace_back(*plate, scene_.symmetric);
-    if (const auto reaction = contacts_.back().evaluate(*projectile_, *plate);
-        reaction.n_touching > 0.)
+  }
+  projectile_ = make_projectile(communicator_, scene_, *friction_law_, plate_contacts);
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+    if (const auto reaction = projectile_->touch(i, *plates_[i]); reaction.n_touching > 0.)
     {
       std::ostringstream message;
-      message << "The projectile starts inside plate " << contacts_.size() << ": it touches "
+      message << "The projectile starts inside plate " << i + 1 << ": it touches "
               << reaction.n_touching << " points, the deepest by " << 1e3 * reaction.deepest
               << " mm. Raise 'Impact/Clearance' or move 'Impact/Entry point'.";
       throw InputError(message.str());
     }
-  }
+  DebrisContact::Friction friction;
+  if (contact.debris_friction > 0.)
+    friction = {friction_law_.get(), contact.debris_friction,
+                contact.friction.regularisation_speed};
   debris_ = std::make_unique<DebrisContact>(communicator_, plates_, contact.debris_factor,
-                                            scene_.symmetric, contact.search);
+                                            scene_.symmetric, contact.search, friction);
 }
 
 void Simulation::choose_time_step()
 {
   double largest = 0.;
   std::vector<double> elastic_seconds;
-  time_step_info_ = {0., 0., 0.};
+  time_step_info_ = {};
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     const auto &plate    = plates_[i];
@@ -186,7 +172,11 @@ void Simulation::choose_time_step()
     elastic_seconds.push_back(estimate.seconds_per_force);
     frequencies_.push_back(estimate);
   }
-  dt_ = scene_.time.safety_factor * 2. / std::sqrt(largest);
+  time_step_info_.seconds_per_step += projectile_->seconds_per_step();
+  const double safety           = scene_.time.safety_factor;
+  time_step_info_.plates_dt     = safety * 2. / std::sqrt(largest);
+  time_step_info_.projectile_dt = safety * 2. / std::sqrt(projectile_->squared_frequency());
+  dt_ = std::min(time_step_info_.plates_dt, time_step_info_.projectile_dt);
   start_relaxation(elastic_seconds);
 }
 
@@ -229,6 +219,7 @@ void Simulation::evaluate(const bool energy)
                0.,
                0.,
                0.};
+  projectile_->begin(energy);
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     plates_[i]->update_ghosts();
@@ -236,7 +227,7 @@ void Simulation::evaluate(const bool energy)
       plates_[i]->update_ghosts();
     plates_[i]->evaluate(/*breaking=*/true, energy);
     fractures_[i].record(dt_);
-    const auto part = contacts_[i].evaluate(*projectile_, *plates_[i]);
+    const auto part = projectile_->touch(i, *plates_[i]);
     reaction_.normal += part.normal;
     reaction_.friction += part.friction;
     reaction_.shank += part.shank;
@@ -263,14 +254,10 @@ void Simulation::advance()
       far_fields_[i]->advance(dt_, dt_);
       far_fields_[i]->lead();
     }
-    contacts_[i].record_work(*plates_[i], dt_);
+    projectile_->record_work(i, *plates_[i], dt_);
   }
-  const Vector3 velocity = projectile_->motion().velocity, spin = projectile_->motion().spin;
-  projectile_->advance(reaction_.force(), reaction_.moment, dt_, dt_);
-  const auto &after = projectile_->motion();
-  work_on_projectile_ += 0.5 * dt_ *
-                         ((reaction_.friction + reaction_.shank).dot(velocity + after.velocity) +
-                          reaction_.friction_moment.dot(spin + after.spin));
+  debris_->record_work(dt_);
+  projectile_->advance(reaction_, dt_);
   time_ += dt_;
   ++step_;
 }
@@ -293,15 +280,14 @@ std::pair<Vector3, Vector3> Simulation::target_box() const
 EnergyBalance Simulation::energies() const
 {
   EnergyBalance e{};
-  e.initial           = initial_energy_;
-  // v- . v+ instead of v . v: for a linear system the leapfrog scheme conserves this sum exactly.
-  const auto &motion  = projectile_->motion();
-  const Vector3 after = motion.velocity + dt_ / projectile_->mass() * reaction_.force();
-  e.projectile        = 0.5 * projectile_->mass() * motion.velocity.dot(after) +
-                 0.5 * motion.spin.dot(projectile_->angular_momentum() + dt_ * reaction_.moment);
-  e.contact  = reaction_.energy;
-  e.debris   = debris_->energy();
-  e.friction = -work_on_projectile_;
+  e.initial             = initial_energy_;
+  const auto projectile = projectile_->energies(reaction_, dt_);
+  e.projectile          = projectile.kinetic;
+  e.elastic             = projectile.elastic;
+  e.contact             = reaction_.energy;
+  e.debris              = debris_->energy();
+  e.friction            = -projectile_->friction_work();
+  e.debris_friction     = 0. - debris_->friction_work(); // not -0
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     if (far_fields_[i])
@@ -320,7 +306,6 @@ EnergyBalance Simulation::energies() const
       e.strain += multiplicity_ * sum.strain;
       e.viscous += multiplicity_ * sum.viscous;
     }
-    e.friction -= contacts_[i].work_on_points();
     e.fracture += fractures_[i].total(communicator_).energy;
   }
   return e;
@@ -328,9 +313,8 @@ EnergyBalance Simulation::energies() const
 
 MomentumBalance Simulation::momenta() const
 {
-  const auto &motion = projectile_->motion();
-  const Vector3 p    = projectile_->mass() * motion.velocity;
-  MomentumBalance m{p, motion.position.cross(p) + projectile_->angular_momentum()};
+  const auto projectile = projectile_->momenta();
+  MomentumBalance m{projectile.linear, projectile.angular};
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     const auto sum = far_fields_[i] ? far_fields_[i]->momenta() : plates_[i]->momenta();
@@ -392,6 +376,10 @@ double Simulation::n_bonds() const
 
 void Simulation::check_finite() const
 {
+  if (!projectile_->motion().position.allFinite()) // the same on all ranks
+    throw RunError("The position of the projectile is not a number at " +
+                   std::to_string(1e6 * time_) + " us (step " + std::to_string(step_) +
+                   "). Lower 'Time/Safety factor' or 'Contact/Stiffness factor'.");
   // The first bad point in the order plate, lattice index is reported, by the lowest rank that has
   // one.
   std::string complaint;
@@ -512,33 +500,6 @@ ElementFrame Simulation::elements() const
   for (std::size_t i = 0; i < plates_.size(); ++i)
     if (far_fields_[i])
       add_elements(*far_fields_[i], static_cast<int>(i) + 1, frame);
-  return frame;
-}
-
-SurfaceFrame Simulation::surface() const
-{
-  constexpr int n_around = 32;
-  SurfaceFrame frame;
-  const auto profile = projectile_->body().profile();
-  const auto place   = [&](const double x, const double r, const double angle) -> Vector3
-  {
-    return projectile_->motion().position +
-           projectile_->motion().orientation * Vector3(x, r * std::sin(angle), r * std::cos(angle));
-  };
-  for (const auto &[x, r] : profile)
-    for (int i = 0; i < n_around; ++i)
-      frame.vertices.push_back(place(x, r, 2. * M_PI * i / n_around));
-  for (int ring = 0; ring + 1 < static_cast<int>(profile.size()); ++ring)
-    for (int i = 0; i < n_around; ++i)
-    {
-      const int next = (i + 1) % n_around;
-      frame.quads.push_back({ring * n_around + i, ring * n_around + next,
-                             (ring + 1) * n_around + next, (ring + 1) * n_around + i});
-    }
-  for (const auto &[x, r] : profile)
-    frame.outline.push_back(place(x, r, 0.));
-  for (auto point = profile.rbegin(); point != profile.rend(); ++point)
-    frame.outline.push_back(place((*point)[0], (*point)[1], M_PI));
   return frame;
 }
 } // namespace ricochet

@@ -5,6 +5,7 @@
 #include "ricochet/drivers/run.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
+#include "ricochet/output/pictures.h"
 #include "ricochet/output/result_directory.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/study_file.h"
@@ -199,7 +200,10 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
     std::printf("\n%s\n\n", parameters.title.c_str());
     table.print();
     std::printf("\nThe table stands in %s.\n", (directory / "study.csv").c_str());
+    std::fflush(stdout);
   }
+  if (parameters.pictures)
+    draw_study_picture(communicator, directory, /*quiet=*/false);
   return n_failed;
 }
 } // namespace ricochet

@@ -383,6 +383,14 @@ double PeridynamicForce::count_bonds() const
   return ends / 2.;
 }
 
+double PeridynamicForce::count_sound_bonds() const
+{
+  double ends = 0.;
+  lattice_.for_each_owned([&](const std::ptrdiff_t p) { ends += initial_family_[p]; });
+  MPI_Allreduce(MPI_IN_PLACE, &ends, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+  return ends / 2.;
+}
+
 double PeridynamicForce::damage(const std::ptrdiff_t index) const
 {
   if (initial_family_[index] == 0 || !damaged_[index])

@@ -16,7 +16,7 @@
 #include <vector>
 
 #ifndef RICOCHET_SCRIPT_DIR
-#error "RICOCHET_SCRIPT_DIR must name the folder of plot_run.py and plot_search.py"
+#error "RICOCHET_SCRIPT_DIR must name the folder of the scripts plot_*.py"
 #endif
 
 extern char **environ;
@@ -153,6 +153,15 @@ bool draw_pictures(const MPI_Comm comm, const std::filesystem::path &directory, 
 {
   int drawn = 0;
   on_first_rank(comm, [&] { drawn = draw("plot_run.py", {directory}, quiet); });
+  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
+  return drawn != 0;
+}
+
+bool draw_study_picture(const MPI_Comm comm, const std::filesystem::path &directory,
+                        const bool quiet)
+{
+  int drawn = 0;
+  on_first_rank(comm, [&] { drawn = draw("plot_study.py", {directory}, quiet); });
   MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
   return drawn != 0;
 }

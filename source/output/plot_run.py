@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw section.png and history.png from the results of a ricochet run, finished or not.
+"""Draw section.png, damage.png and history.png from the results of a ricochet run, finished or not.
 
     plot_run.py RUN_DIRECTORY
 
-Reads history.csv, section.h5 and summary.json of that folder; what is missing is left out. Exit status: 0 drawn,
-1 nothing to draw or a damaged file, 2 wrong use, 3 matplotlib or h5py not installed.
+Reads history.csv, section.h5, damage.h5 and summary.json of that folder; what is missing is left out. Exit status:
+0 drawn, 1 nothing to draw or a damaged file, 2 wrong use, 3 matplotlib or h5py not installed.
 """
 
 import csv
@@ -97,16 +97,24 @@ def read_history(directory, _):
     return History(path) if os.path.exists(path) else None
 
 
+def read_summary(directory):
+    """The summary of the run, or None if it has not ended."""
+    try:
+        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
+            return json.load(file)
+    except (OSError, ValueError):
+        return None
+
+
 def title_of(directory):
     """Title of the run and, if it has ended, its outcome."""
     name = os.path.basename(os.path.abspath(directory))
-    try:
-        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
-    except (OSError, ValueError):
+    summary = read_summary(directory)
+    if summary is None:
         return name, "run not finished"
     outcome = str(summary.get("outcome", ""))
-    parts = [{"perforate": "perforation", "undecided": "outcome undecided"}.get(outcome, outcome)]
+    parts = [{"perforate": "perforation", "undecided": "outcome undecided",
+              "edge": f"leaves through the edge of plate {summary.get('exit_plate', 1)}"}.get(outcome, outcome)]
     if summary.get("exit_speed_m_s") is not None and outcome != "stuck":
         parts.append(f"{'last' if outcome == 'undecided' else 'exit'} speed {summary['exit_speed_m_s']:.0f} m/s")
         if summary.get("exit_angle_deg") is not None:
@@ -159,14 +167,23 @@ def squares(points, sizes):
     return points[:, None, :] + corners[None, :, :] * sizes[:, None, None]
 
 
-def read_frames(path, n_panels=6):
-    """Up to six frames at even distances in time, the first and the last among them, and the first one again."""
+def stated_times(directory):
+    """Times [s] at which the parameter file asks for panels; empty if it does not, or if the run has not ended."""
+    summary = read_summary(directory) or {}
+    return [position["time_us"] * 1e-6 for position in summary.get("positions", [])]
+
+
+def read_frames(path, stated=(), n_panels=6):
+    """The frames at the stated times; without any, up to six at even distances in time, the first and the last among
+    them. And the first one of all again."""
     with h5py.File(path, "r") as file:
         names = sorted(file, key=lambda name: int(name.split("_")[1]))
         if not names:
             return [], None
         times = np.array([file[name].attrs["time_s"] for name in names])
-        wanted = np.linspace(times[0], times[-1], min(n_panels, len(names)))
+        wanted = list(stated) or np.linspace(times[0], times[-1], min(n_panels, len(names)))
+        if len(stated) % 2 == 1:
+            wanted.append(times[-1])  # there is room for it
         chosen = sorted({int(np.argmin(np.abs(times - time))) for time in wanted})
         return [Frame(file[names[i]]) for i in chosen], Frame(file[names[0]])
 
@@ -222,11 +239,11 @@ def draw_frame(axes, frame, sizes, history):
 
 
 def draw_section(directory, history):
-    """section.png: the section y = 0 at up to six times."""
+    """section.png: the section y = 0 at the stated times, or at up to six."""
     path = os.path.join(directory, "section.h5")
     if not os.path.exists(path):
         return None
-    frames, first = read_frames(path)
+    frames, first = read_frames(path, stated_times(directory))
     if not frames:
         return None
     sizes = {body: spacing_of(first.points[first.body == body]) for body in np.unique(first.body)}
@@ -277,6 +294,78 @@ def draw_section(directory, history):
     return target
 
 
+# ----------------------------------------------------------------------------------------------------- damage
+
+
+def draw_map(axes, grid, values):
+    """One map of a plate from above, x along the flight; a half is completed by its mirror image."""
+    spacing, x, y, mirrored = grid
+    rows = values.T
+    if mirrored:
+        rows = np.concatenate([rows[::-1], rows])
+    n_y, n_x = rows.shape
+    low = -n_y * spacing / 2 if mirrored else y
+    limits = 1e3 * np.array([x, x + n_x * spacing, low, low + n_y * spacing])
+    image = axes.imshow(rows, origin="lower", extent=limits, cmap=DAMAGE, vmin=0, vmax=1, interpolation="nearest")
+    axes.xaxis.set_major_locator(ticks(8))
+    axes.yaxis.set_major_locator(ticks(5))
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(True)
+    return image
+
+
+def draw_damage(directory, _):
+    """damage.png: both faces of every plate and the mean through its thickness, at the end of the run."""
+    path = os.path.join(directory, "damage.h5")
+    if not os.path.exists(path):
+        return None
+    summary = read_summary(directory) or {}
+    with h5py.File(path, "r") as file:
+        plates = sorted((name[: -len("_grid")] for name in file if name.endswith("_grid")),
+                        key=lambda name: int(name.split("_")[1]))
+        maps = [(plate, file[plate + "_grid"][:], [file[f"{plate}_{kind}"][:] for kind in ("front", "rear", "mean")])
+                for plate in plates]
+    if not maps:
+        return None
+    spacing, _, _, mirrored = maps[0][1]
+    n_x, n_y = maps[0][2][0].shape
+    ratio = n_y * (2 if mirrored else 1) / n_x
+    panel, left, right, top, bottom, gap_x, gap_y = 3.4, 0.62, 0.95, 0.72, 0.5, 0.26, 0.30
+    width = left + 3 * panel + 2 * gap_x + right
+    height = top + len(maps) * panel * ratio + (len(maps) - 1) * gap_y + bottom
+    figure = plt.figure(figsize=(width, height))
+    write_title(figure, directory)
+    for row, (plate, grid, values) in enumerate(maps):
+        number = plate.split("_")[1]
+        share = summary.get(plate + "_broken_share")
+        notes = [summary.get(f"{plate}_{face}_damaged_mm2") for face in ("front", "rear")]
+        titles = [f"plate {number}, {face} face" + ("" if note is None else f": {note:.0f} mm² damaged")
+                  for face, note in zip(("front", "rear"), notes)]
+        titles.append(f"plate {number}, mean through the thickness"
+                      + ("" if share is None else f": {100 * share:.1f} % of the bonds"))
+        y = bottom + (len(maps) - 1 - row) * (panel * ratio + gap_y)
+        for column, (title, value) in enumerate(zip(titles, values)):
+            x = left + column * (panel + gap_x)
+            axes = figure.add_axes([x / width, y / height, panel / width, panel * ratio / height])
+            image = draw_map(axes, grid, value)
+            axes.set_title(title, loc="left", pad=3, size=8)
+            axes.tick_params(labelbottom=row == len(maps) - 1, labelleft=column == 0)
+            if row == len(maps) - 1:
+                axes.set_xlabel("x [mm]", labelpad=2)
+            if column == 0:
+                axes.set_ylabel("y [mm]", labelpad=2)
+    bar_height = min(height - top - bottom, 3.2)
+    bar_bottom = bottom + (height - top - bottom - bar_height) / 2
+    bar = figure.add_axes([(width - right + 0.18) / width, bar_bottom / height, 0.13 / width, bar_height / height])
+    colorbar = figure.colorbar(image, cax=bar, ticks=[0, 0.25, 0.5, 0.75, 1])
+    colorbar.set_label("damage", labelpad=3)
+    colorbar.outline.set_linewidth(0.7)
+
+    target = os.path.join(directory, "damage.png")
+    save(figure, target)
+    return target
+
+
 # ---------------------------------------------------------------------------------------------------- history
 
 
@@ -313,6 +402,7 @@ ENERGIES = [
     ("energy fracture", "fracture", VERMILION),
     ("energy viscous", "viscosity", "#8C564B"),
     ("work friction", "friction", ORANGE),
+    ("work debris friction", "debris friction", "#B8860B"),
     ("energy debris", "debris contact", "#F0E442"),
     ("energy contact", "contact", PURPLE),
     ("energy strain", "plate strain", GREEN),
@@ -324,7 +414,8 @@ ENERGIES = [
 def draw_energies(axes, history):
     """Where the projectile's energy has gone, as layers."""
     present = [(history[name], label, color) for name, label, color in ENERGIES
-               if name in history and (name != "energy viscous" or np.any(history[name]))]
+               if name in history and (name not in ("energy viscous", "work debris friction")
+                                       or np.any(history[name]))]
     if not present:
         return
     values = np.array([value for value, _, _ in present])
@@ -392,7 +483,7 @@ def main(arguments):
     directory = arguments[1]
     plt.rcParams.update(STYLE)
     history, drawn, failed = None, [], False
-    for step in (read_history, draw_section, draw_history):
+    for step in (read_history, draw_section, draw_damage, draw_history):
         try:
             result = step(directory, history)
         except (OSError, ValueError, KeyError) as error:

@@ -89,7 +89,7 @@ def main(arguments):
             axes.set_title(f"{arrangement}: all pairs closer than {1e3 * chosen[0]['radius_m']:g} mm "
                            f"in a cube of {1e3 * chosen[0]['edge_m']:g} mm", loc="left", size=8)
         panels[0][0].set_ylabel("seconds")
-        panels[0][0].legend(loc="upper left", handlelength=2.4, labelspacing=0.3)
+        panels[0][-1].legend(loc="upper left", bbox_to_anchor=(1.02, 1), handlelength=2.4, labelspacing=0.3)
         figure.savefig(arguments[2])
     except (OSError, ValueError, KeyError, TypeError) as error:
         print(f"plot_search.py: {arguments[1]}: {error}", file=sys.stderr)

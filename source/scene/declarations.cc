@@ -103,7 +103,7 @@ SectionDeclaration projectile()
 {
   return {
       "Projectile",
-      "The projectile: a rigid body of revolution.",
+      "The projectile: a body of revolution.",
       {required("Nose shape", choice({"ogive", "cone", "hemisphere", "flat", "sphere"}), "ogive",
                 "Shape of the nose in front of the cylindrical shank, or a whole sphere"),
        required("Diameter", quantity(Dimension::length, Limit::positive), "6.17 mm",
@@ -117,8 +117,26 @@ SectionDeclaration projectile()
        optional("Mass", quantity(Dimension::mass, Limit::positive), "5.25 g",
                 "Mass of the whole projectile"),
        optional("Density", quantity(Dimension::density, Limit::positive), "7850 kg/m3",
-                "Instead of the mass, the density of the homogeneous projectile")},
-      {{{{"Length"}}, "Nose shape", {"ogive", "cone", "hemisphere", "flat"}},
+                "Instead of the mass, the density of the homogeneous projectile"),
+       with_default("Model", choice({"rigid", "finite elements", "peridynamic"}), "rigid",
+                    "Whether it deforms; the other two are elastic and cost time steps"),
+       optional("Young's modulus", quantity(Dimension::stress, Limit::positive), "202 GPa",
+                "Of a deformable projectile, together with Poisson's ratio"),
+       optional("Poisson's ratio", quantity(Dimension::number, Limit::not_negative), "0.3",
+                "Of a deformable projectile, below 0.5"),
+       optional("Grid spacing", quantity(Dimension::length, Limit::positive), "1 mm",
+                "Distance between neighbouring points of a peridynamic projectile"),
+       with_default(
+           "Refinement", quantity(Dimension::number, Limit::positive), "2",
+           "Of the generated mesh, which is also the skin of a peridynamic projectile: 1 to 4, "
+           "each halves the edges"),
+       optional("Mesh", text("a gmsh file in ASCII, relative to this file"), "projectile.msh",
+                "Instead of the generated mesh, hexahedra of the same shape, tip towards x"),
+       with_default("Mesh unit", choice({"m", "cm", "mm", "in"}), "mm",
+                    "Unit of the coordinates in that file")},
+      {{{{"Young's modulus", "Poisson's ratio"}}, "Model", {"finite elements", "peridynamic"}},
+       {{{"Grid spacing"}}, "Model", {"peridynamic"}},
+       {{{"Length"}}, "Nose shape", {"ogive", "cone", "hemisphere", "flat"}},
        {{{"Nose length"}, {"Caliber radius head"}}, "Nose shape", {"ogive"}},
        {{{"Nose length"}}, "Nose shape", {"cone"}},
        {{{"Mass"}, {"Density"}}}}};
@@ -277,6 +295,9 @@ SectionDeclaration contact()
                     "15",
                     "Repulsion of separated points, in units of the short-range stiffness; 0 "
                     "switches it off"),
+       with_default("Debris friction factor", quantity(Dimension::number, Limit::not_negative), "0",
+                    "Friction between plates and in debris, in units of the projectile's "
+                    "coefficient; 0 switches it off"),
        with_default("Search method", choice(contact_search_names()), "linked cells",
                     "How separated points that touch are found; the result is the same")},
       {{{{"Kinetic friction", "Friction decay"}}, "Friction law", decaying_laws}}};
@@ -311,7 +332,11 @@ SectionDeclaration output(const std::string &stem)
                         "Time between two rows of the history"),
            with_default("ParaView files", flag(), "true",
                         "Whether the frames are written for ParaView"),
-           with_default("Pictures", flag(), "true", "Whether pictures are drawn at the end")},
+           with_default("Pictures", flag(), "true", "Whether pictures are drawn at the end"),
+           optional("Picture times", quantity_list(Dimension::time, Limit::not_negative),
+                    "45 us, 94 us, 142 us",
+                    "Times of the section's picture, ascending; the summary says where the "
+                    "projectile is then. By default six from the first to the last frame")},
           {}};
 }
 } // namespace
@@ -336,7 +361,7 @@ std::vector<SectionDeclaration> study_declarations(const std::string &stem)
 {
   SectionDeclaration study{
       "Study",
-      "Several runs: every scene with every combination of the axes' values.",
+      "Several runs: every scene with the axes' values.",
       {named_after_file("Title", text("any text"), stem, "A study",
                         "What the study is called in its results, by default like the file"),
        required("Scenes", text("parameter files separated by commas, relative to this file"),
@@ -345,8 +370,13 @@ std::vector<SectionDeclaration> study_declarations(const std::string &stem)
            "Output directory", text("a folder, relative to where the program is started"),
            "output/" + stem, "output/study",
            "Where the results go, one folder per case; by default output/ and the file's name"),
-       optional("Columns", text("names of columns separated by commas"), "outcome, exit_speed",
-                "Columns of the table of results")},
+       optional("Columns", text("names of columns separated by commas"), "outcome, exit_speed_m_s",
+                "Columns of the table of results: entries of summary.json"),
+       with_default("Combine", choice({"all", "one at a time"}), "all",
+                    "Whether the axes' values are combined, or each scene is run as it is and then "
+                    "with one value of one axis at a time"),
+       with_default("Pictures", flag(), "true",
+                    "Whether a comparison of the first eight cases is drawn at the end")},
       {}};
   for (char number = '1'; number <= '9'; ++number)
     study.entries.push_back(optional(

@@ -4,6 +4,7 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
 #include "ricochet/materials/bond_laws.h"
+#include "ricochet/scene/mesh_file.h"
 #include "ricochet/scene/parameter_writer.h"
 #include "ricochet/scene/parameters.h"
 #include "ricochet/scene/text_tools.h"
@@ -127,16 +128,59 @@ BodyOfRevolution::Shape read_shape(const Parameters &parameters)
   return shape;
 }
 
+/// The path of a file named by an entry: relative to the parameter file that names it.
+std::filesystem::path path_in(const Parameters &parameters, const std::string &section,
+                              const std::string &entry)
+{
+  const std::filesystem::path path = parameters.text(section, entry);
+  const std::string origin         = parameters.origin(section, entry);
+  const auto colon                 = origin.rfind(':');
+  if (path.is_absolute() || colon == std::string::npos) // or of an override
+    return path;
+  return std::filesystem::path(origin.substr(0, colon)).parent_path() / path;
+}
+
+/// What a deformable projectile needs besides its shape.
+void read_deformable(const Parameters &parameters, ProjectileParameters &projectile)
+{
+  const std::string in = "Projectile";
+  if (parameters.text(in, "Model") == "rigid")
+    return;
+  projectile.model          = parameters.text(in, "Model") == "peridynamic"
+                                  ? ProjectileModel::peridynamic
+                                  : ProjectileModel::finite_elements;
+  projectile.spacing        = parameters.quantity(in, "Grid spacing");
+  projectile.youngs_modulus = parameters.quantity(in, "Young's modulus");
+  projectile.poissons_ratio = parameters.quantity(in, "Poisson's ratio");
+  if (!(projectile.poissons_ratio < 0.5))
+    parameters.fail(in, "Poisson's ratio", "An elastic solid has a Poisson's ratio below 0.5.",
+                    "Choose 0.3 for steel.");
+  const double refinement = parameters.quantity(in, "Refinement");
+  if (refinement != std::floor(refinement) || refinement > 4.)
+    parameters.fail(in, "Refinement", "The mesh is refined a whole number of times.",
+                    "Choose 1, 2, 3 or 4.");
+  projectile.refinement = static_cast<int>(refinement);
+  if (parameters.is_given(in, "Mesh"))
+  {
+    const std::map<std::string, double> units{
+        {"m", 1.}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 25.4e-3}};
+    projectile.mesh =
+        read_mesh(path_in(parameters, in, "Mesh"), units.at(parameters.text(in, "Mesh unit")));
+  }
+}
+
 ProjectileParameters read_projectile(const Parameters &parameters)
 {
   const BodyOfRevolution::Shape shape = read_shape(parameters);
+  ProjectileParameters projectile;
   try
   {
     const BodyOfRevolution body(shape);
     const double mass = parameters.is_given("Projectile", "Mass")
                             ? parameters.quantity("Projectile", "Mass")
                             : parameters.quantity("Projectile", "Density") * body.volume();
-    return {body.shape(), mass};
+    projectile.shape  = body.shape();
+    projectile.mass   = mass;
   }
   catch (const InputError &error) // the body does not know which lines it comes from
   {
@@ -146,6 +190,8 @@ ProjectileParameters read_projectile(const Parameters &parameters)
                      "\n  Change the shape, the diameter or the lengths in the section "
                      "'Projectile'.");
   }
+  read_deformable(parameters, projectile);
+  return projectile;
 }
 
 PlateParameters read_plate(const Parameters &parameters, const std::string &in,
@@ -382,11 +428,17 @@ ContactParameters read_contact(const Parameters &parameters)
       parameters.text(in, "Friction law"), parameters.quantity(in, "Static friction"),
       parameters.quantity(in, "Kinetic friction"), parameters.quantity(in, "Friction decay"),
       parameters.quantity(in, "Regularisation speed")};
+  if (parameters.quantity(in, "Debris friction factor") > 0. &&
+      parameters.quantity(in, "Debris stiffness factor") == 0.)
+    parameters.fail(in, "Debris friction factor",
+                    "Separated points that do not repel have nothing to rub against.",
+                    "Set 'Debris stiffness factor' above 0 (15 is usual), or this one to 0.");
   return {parameters.quantity(in, "Stiffness factor"),
           friction,
           parameters.quantity(in, "Shank resistance"),
           parameters.quantity(in, "Shank contact fraction"),
           parameters.quantity(in, "Debris stiffness factor"),
+          parameters.quantity(in, "Debris friction factor"),
           parameters.text(in, "Search method")};
 }
 
@@ -403,9 +455,21 @@ TimeParameters read_time(const Parameters &parameters)
 OutputParameters read_output(const Parameters &parameters)
 {
   const std::string in = "Output";
-  return {parameters.text(in, "Directory"), parameters.quantity(in, "Frame interval"),
-          parameters.quantity(in, "History interval"), parameters.flag(in, "ParaView files"),
-          parameters.flag(in, "Pictures")};
+  std::vector<double> times;
+  if (parameters.is_given(in, "Picture times"))
+    times = parameters.quantities(in, "Picture times");
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (times[i] <= times[i - 1])
+      parameters.fail(in, "Picture times",
+                      "Time " + std::to_string(i + 1) + " does not come after time " +
+                          std::to_string(i) + ".",
+                      "Write the times in ascending order, each once.");
+  return {parameters.text(in, "Directory"),
+          parameters.quantity(in, "Frame interval"),
+          parameters.quantity(in, "History interval"),
+          parameters.flag(in, "ParaView files"),
+          parameters.flag(in, "Pictures"),
+          times};
 }
 } // namespace
 

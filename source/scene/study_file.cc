@@ -109,6 +109,17 @@ std::vector<StudyCase> cases_of(const std::string &scene, const std::vector<Stud
   return cases;
 }
 
+/// The scene itself, then with one value of one axis at a time.
+std::vector<StudyCase> single_changes_of(const std::string &scene,
+                                         const std::vector<StudyAxis> &axes)
+{
+  std::vector<StudyCase> cases = cases_of(scene, {});
+  for (const auto &axis : axes)
+    for (auto &next : cases_of(scene, {axis}))
+      cases.push_back(std::move(next));
+  return cases;
+}
+
 void check_names(const Parameters &parameters, const std::vector<StudyCase> &cases)
 {
   for (auto one = cases.begin(); one != cases.end(); ++one)
@@ -149,6 +160,8 @@ StudyParameters read_study(const std::string &path)
   study.title            = parameters.text(section, "Title");
   study.output_directory = parameters.text(section, "Output directory");
   study.columns          = read_list(parameters, "Columns");
+  study.one_at_a_time    = parameters.text(section, "Combine") == "one at a time";
+  study.pictures         = parameters.flag(section, "Pictures");
   for (char number = '1'; number <= '9'; ++number)
     if (const std::string name = std::string("Axis ") + number; parameters.is_given(section, name))
       study.axes.push_back(read_axis(parameters, name));
@@ -159,7 +172,8 @@ StudyParameters read_study(const std::string &path)
     if (!fs::exists(study.scenes.back()))
       parameters.fail(section, "Scenes", "There is no file " + in_quotes(study.scenes.back()) + ".",
                       "The scenes are relative to the study's own file.");
-    for (auto &next : cases_of(study.scenes.back(), study.axes))
+    for (auto &next : study.one_at_a_time ? single_changes_of(study.scenes.back(), study.axes)
+                                          : cases_of(study.scenes.back(), study.axes))
       study.cases.push_back(std::move(next));
   }
   check_names(parameters, study.cases);

@@ -134,9 +134,9 @@ TEST(Zone, BlendFunctionsFallFromOneToZero)
     for (int x = 2; x < 8; ++x)
     {
       const double t = (x - 2 + 0.5) / 6.;
-      EXPECT_NEAR(zone.weight(x, 1, 1),
-                  function == BlendFunction::linear ? 1. - t : 1. - 3. * t * t + 2. * t * t * t,
-                  1e-15);
+      const double expected =
+          function == BlendFunction::linear ? 1. - t : 1. - 3. * t * t + 2. * t * t * t;
+      EXPECT_NEAR(zone.weight(x, 1, 1), expected, 1e-15); // two ways to write the cubic
     }
     for (int x = 8; x < 16; ++x)
       EXPECT_EQ(zone.weight(x, 0, 0), 0.);

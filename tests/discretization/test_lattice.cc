@@ -37,7 +37,7 @@ TEST(Stencil, HoldsHalfOfAllOffsetsWithinTheHorizonOnce)
 
 TEST(Stencil, BondsWithoutWeightAreLeftOut)
 {
-  // The cone vanishes at the horizon: 92 bonds of 122, coupling note, table 2.1.
+  // The cone vanishes at the horizon: 92 bonds of 122.
   EXPECT_EQ(make_stencil(1., 3., InfluenceFunction::cone).offsets.size(), 46u);
   EXPECT_EQ(make_stencil(1., 3., InfluenceFunction::constant).offsets.size(), 61u);
 }

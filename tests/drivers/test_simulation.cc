@@ -84,6 +84,27 @@ TEST_P(Impact, MomentumAndAngularMomentumDoNotDrift)
             0.3 * before.linear.norm());
 }
 
+TEST(Simulation, FrictionOfDebrisStandsInTheBalanceAndKeepsMomentum)
+{
+  for (const bool half : {false, true})
+  {
+    Scene scene                   = half ? symmetric(two_plates()) : two_plates();
+    scene.contact.debris_friction = 1.;
+    Simulation simulation(MPI_COMM_SELF, scene);
+    const auto before = simulation.momenta();
+    run(simulation, 200, 10,
+        [&]
+        {
+          const auto e = simulation.energies();
+          EXPECT_LT(std::abs(e.residual()), 0.01 * e.initial) << "step " << simulation.step();
+          const Vector3 drift = simulation.momenta().linear - before.linear;
+          EXPECT_LT(drift.norm(), 1e-12 * before.linear.norm());
+        });
+    // More than the bound of the residual, or the test would say nothing.
+    EXPECT_GT(simulation.energies().debris_friction, 0.015 * simulation.energies().initial);
+  }
+}
+
 TEST(Simulation, TrajectoryConvergesInTheTimeStepAtSecondOrder)
 {
   // Unbroken and without friction: sliding friction sees the velocity of half a step ago, which is

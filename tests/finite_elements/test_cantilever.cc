@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// V11 of the coupling's list: the first bending frequency of a clamped bar, 100 x 10 x 10 mm PMMA.
+// The first bending frequency of a clamped bar, 100 x 10 x 10 mm PMMA.
 // Bernoulli's beam: f1 = 1.8751^2/(2 pi) sqrt(E/rho) t/(sqrt(12) L^2) = 269 Hz.
 #include "element_body.h"
 

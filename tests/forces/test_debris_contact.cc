@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "body.h"
+#include "ricochet/contact/constant_friction.h"
+#include "ricochet/contact/exponential_friction.h"
 #include "ricochet/forces/debris_contact.h"
 
 #include <gtest/gtest.h>
@@ -295,6 +297,107 @@ TEST(DebrisContact, PlatesPushedTogetherShareOneMomentum)
   EXPECT_GT(sum[0].z(), 0.1 * total);
   EXPECT_LT((sum[0] + sum[1]).norm(), 1e-13 * total);
   EXPECT_LT(moment.norm(), 1e-13 * total * 10. * dx);
+}
+
+/// Two bodies of one point each that overlap: the first at the origin, the second 1.2 dx away.
+struct Pair
+{
+  explicit Pair(const DebrisContact::Friction &friction, const double second_density = 0.)
+  {
+    bodies.push_back(one_point(0, Vector3::Zero()));
+    BodySample sample;
+    sample.n      = {1, 1, 1};
+    sample.corner = 3. * dx * n - Vector3::Constant(0.5 * dx);
+    sample.number = 1;
+    if (second_density > 0.)
+      sample.family.law.density = second_density;
+    bodies.push_back(make_body(sample));
+    debris =
+        std::make_unique<DebrisContact>(MPI_COMM_SELF, bodies, 1., false, "linked cells", friction);
+    p = only_point(*bodies[0]);
+    q = only_point(*bodies[1]);
+    set(bodies[1]->state().arrays.position, q, Vector3(1.2 * dx * n));
+  }
+
+  Vector3 n     = Vector3(1., 2., -1.).normalized();
+  Vector3 along = Vector3(1., 1., 3.).normalized(); // n . along = 0
+  Bodies bodies;
+  std::unique_ptr<DebrisContact> debris;
+  std::ptrdiff_t p, q;
+};
+
+TEST(DebrisContact, PointsOfTwoBodiesRubByTheStatedLaw)
+{
+  const ExponentialFriction law({"exponential", 0.5, 0.05, 0.01, 5.});
+  const double factor = 0.8, v_reg = 5., dt = 1e-9; // too short to be stopped in
+  Pair pair({&law, factor, v_reg});
+  const double f_n = 0.15 * dx * pair_stiffness(*pair.bodies[0], 1.); // 1.35 dx - 1.2 dx
+  for (const double speed : {300., 40., 5., 2., 0.})
+  {
+    const Vector3 common(11., -7., 5.); // of both: changes nothing
+    set(pair.bodies[0]->state().arrays.velocity, pair.p, common);
+    set(pair.bodies[1]->state().arrays.velocity, pair.q,
+        Vector3(common + speed * pair.along - 30. * pair.n));
+    step(pair.bodies, *pair.debris, dt);
+    // mu f_n v_t/|v_t|, with v_t/v_reg below the regularisation speed.
+    const double expected = factor * law.coefficient(speed) * f_n * std::min(speed / v_reg, 1.);
+    const Vector3 f       = force(*pair.bodies[1], pair.q);
+    EXPECT_NEAR(f.dot(pair.n), f_n, 1e-12 * f_n) << speed;
+    EXPECT_LT((f - f_n * pair.n + expected * pair.along).norm(), 1e-12 * f_n) << speed;
+    EXPECT_EQ(force(*pair.bodies[0], pair.p), Vector3(-f)); // momentum, exactly
+  }
+}
+
+TEST(DebrisContact, FrictionNeverDrivesPointsBack)
+{
+  const ConstantFriction law({"constant", 100., 0., 0., 1.});
+  Pair pair({&law, 1., 1.}, /*second_density=*/5000.);
+  auto &a = pair.bodies[0]->state().arrays, &b = pair.bodies[1]->state().arrays;
+  set(b.velocity, pair.q, Vector3(10. * pair.along));
+  const double dt = 1e-7;
+  double before   = 10.;
+  for (int i = 0; i < 12; ++i)
+  {
+    step(pair.bodies, *pair.debris, dt);
+    for (const auto &body : pair.bodies)
+      body->advance(dt, 0.); // they stay where they are
+    const double sliding = (at(b.velocity, pair.q) - at(a.velocity, pair.p)).dot(pair.along);
+    // The strongest friction leaves 5/6 of the sliding after each step, whatever the masses.
+    EXPECT_NEAR(sliding, 5. / 6. * before, 1e-12 * before);
+    before = sliding;
+  }
+}
+
+TEST(DebrisContact, HeatOfFrictionIsTheEnergyThatACollisionLoses)
+{
+  const ConstantFriction law({"constant", 0.3, 0., 0., 1.});
+  Bodies bodies;
+  bodies.push_back(one_point(0, {0., 0., 0.}));
+  bodies.push_back(one_point(1, {3. * dx, 0., 0.}));
+  DebrisContact debris(MPI_COMM_SELF, bodies, 1., false, "linked cells", {&law, 1., 1.});
+  const auto p = only_point(*bodies[0]), q = only_point(*bodies[1]);
+  auto &a = bodies[0]->state().arrays, &b = bodies[1]->state().arrays;
+  set(a.position, p, Vector3(0., -0.5 * dx, 0.));
+  set(a.velocity, p, Vector3(50., 5., 20.));
+  const double mass  = bodies[0]->point_mass();
+  const auto kinetic = [&]
+  { return 0.5 * mass * (at(a.velocity, p).squaredNorm() + at(b.velocity, q).squaredNorm()); };
+  const double initial = kinetic();
+  const double dt      = 0.02 / std::sqrt(2. * pair_stiffness(*bodies[0], 1.) / mass);
+  for (int i = 0; i < 5. * dx / 50. / dt; ++i)
+  {
+    step(bodies, debris, dt);
+    advance(bodies, dt);
+    debris.record_work(dt);
+    const Vector3 momentum = at(a.velocity, p) + at(b.velocity, q);
+    EXPECT_LT((momentum - Vector3(50., 5., 20.)).norm(), 1e-13 * 50.);
+  }
+  EXPECT_EQ(debris.energy(), 0.) << "they must have parted";
+  EXPECT_GT(at(b.velocity, q).norm(), 10.) << "they must have met";
+  const double heat = -debris.friction_work();
+  EXPECT_GT(heat, 0.01 * initial);
+  // Entering and leaving contact between two steps costs (omega dt)^2/2 = 0.0002 at worst.
+  EXPECT_NEAR(initial - kinetic(), heat, 2e-4 * initial);
 }
 
 TEST(DebrisContact, FactorZeroSwitchesItOff)

@@ -211,7 +211,7 @@ TEST(ProjectileContact, SymmetryPlaneDoublesForcesAndRemovesWhatItForbids)
 
 TEST(ProjectileContact, BlockSlidingOnAFlatFaceStopsWhereCoulombSays)
 {
-  // V19 of the coupling note: stops after v0/(mu g) at v0^2/(2 mu g), 1 %. An elastic block of
+  // Stops after v0/(mu g) at v0^2/(2 mu g), 1 %. An elastic block of
   // points slides on the flat end of a large fixed cylinder; gravity is scaled up so that this
   // takes 2000 steps.
   auto sample      = bed(6, 6, 3);
@@ -304,7 +304,7 @@ struct BallOnBed
 
 TEST(ProjectileContact, SphereSlidesThenRollsAtFiveSeventhsOfItsSpeed)
 {
-  // V20 of the coupling note: v = 5/7 v0 after 2 v0/(7 mu g).
+  // v = 5/7 v0 after 2 v0/(7 mu g).
   const double v0 = 10., mu = 0.2, g = 2000., mass = 1.;
   // Sunk in by 0.3 dx it rests on about 90 points; the stiffness follows from the weight.
   const double sunk = 0.3 * dx;
@@ -333,7 +333,7 @@ TEST(ProjectileContact, SphereSlidesThenRollsAtFiveSeventhsOfItsSpeed)
 
 TEST(ProjectileContact, ObliqueReboundInGrossSlipHasTheImpulseOfCoulomb)
 {
-  // V21 of the coupling note: dv_t = -mu (1 + e) v_n, spin 5 mu (1 + e) v_n/(2 R); gross slip while
+  // dv_t = -mu (1 + e) v_n, spin 5 mu (1 + e) v_n/(2 R); gross slip while
   // tan(alpha) > 3.5 mu (1 + e) = 1.4. The springs store and return everything: e = 1.
   const double mu = 0.2, v_n = 5., v_t = 3. * v_n, mass = 1.;
   // Deepest point sqrt(m/k_total) v_n: 0.5 dx on about 150 points.

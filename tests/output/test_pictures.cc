@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/output/damage_map.h"
 #include "ricochet/output/field_writer.h"
 #include "ricochet/output/history.h"
 #include "ricochet/output/pictures.h"
@@ -62,11 +63,18 @@ void write_run(const fs::path &folder)
     history.append({10. * step, 5. * step, 2., 500. - 10. * step, 3. * step});
   }
   history.close();
+  const std::vector<float> sound(40 * 8, 0.F), broken(40 * 8, 0.9F);
+  write_damage_maps(MPI_COMM_WORLD, folder,
+                    {{1, 40, 8, 1e-3, {0., 0.}, true, broken, sound, sound}});
   write_summary(MPI_COMM_WORLD, folder,
                 {{"outcome", "ricochet"},
                  {"title", "Test"},
                  {"exit_speed_m_s", 470.},
-                 {"exit_angle_deg", 12.}});
+                 {"exit_angle_deg", 12.},
+                 {"plate_1_broken_share", 0.1},
+                 {"plate_1_front_damaged_mm2", 640.},
+                 {"plate_1_rear_damaged_mm2", 0.},
+                 {"positions", {{{"time_us", 10.}}, {{"time_us", 20.}}}}});
 }
 
 bool python_has_modules()
@@ -97,7 +105,42 @@ TEST(Pictures, AreDrawnFromTheResultsAlone)
   const std::string text = ::testing::internal::GetCapturedStdout();
   EXPECT_EQ(contains(text, "section.png") && contains(text, "history.png"), rank() == 0) << text;
   EXPECT_TRUE(is_png(folder / "section.png"));
+  EXPECT_TRUE(is_png(folder / "damage.png"));
   EXPECT_TRUE(is_png(folder / "history.png"));
+}
+
+TEST(Pictures, OfAStudyCompareItsCases)
+{
+  if (!python_has_modules())
+    GTEST_SKIP() << "python3 has no matplotlib or h5py";
+  const ScratchDirectory scratch;
+  for (const char *name : {"one", "two"})
+  {
+    if (rank() == 0)
+      fs::create_directory(scratch.path() / name);
+    MPI_Barrier(MPI_COMM_WORLD);
+    write_run(scratch.path() / name);
+  }
+  if (rank() == 0) // the third case has failed
+    std::ofstream(scratch.path() / "study.csv")
+        << "case,outcome,status\none,ricochet,ok\ntwo,ricochet,ok\nthree,,failed\n";
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_TRUE(draw_study_picture(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+  EXPECT_TRUE(is_png(scratch.path() / "comparison.png"));
+}
+
+TEST(Pictures, OfAStudyWithoutResultsSayWhy)
+{
+  if (!python_has_modules())
+    GTEST_SKIP() << "python3 has no matplotlib or h5py";
+  const ScratchDirectory scratch;
+  if (rank() == 0)
+    std::ofstream(scratch.path() / "study.csv") << "case,status\none,failed\n";
+  MPI_Barrier(MPI_COMM_WORLD);
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE(draw_study_picture(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+  const std::string text = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(contains(text, "no case of"), rank() == 0) << text;
 }
 
 TEST(Pictures, WithoutResultsSayWhy)

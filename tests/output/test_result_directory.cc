@@ -49,6 +49,8 @@ TEST(ResultDirectory, ForceRemovesResultsAndNothingElse)
   const std::vector<std::string> results = {"history.csv",
                                             "history.h5",
                                             "history.png",
+                                            "damage.h5",
+                                            "damage.png",
                                             "section.h5",
                                             "section.png",
                                             "section/frame_0012.h5",

@@ -76,6 +76,8 @@ TEST(SceneReader, DefaultsAreFilledIn)
   EXPECT_DOUBLE_EQ(scene.contact.shank_resistance, 500e6);
   EXPECT_DOUBLE_EQ(scene.contact.shank_contact_fraction, 0.4);
   EXPECT_EQ(scene.contact.debris_factor, 15.);
+  EXPECT_EQ(scene.contact.debris_friction, 0.);
+  EXPECT_TRUE(scene.output.picture_times.empty());
   EXPECT_DOUBLE_EQ(scene.time.safety_factor, 0.7);
   EXPECT_TRUE(scene.time.stop_early);
   EXPECT_DOUBLE_EQ(scene.time.free_time, 5e-6);
@@ -86,17 +88,44 @@ TEST(SceneReader, DefaultsAreFilledIn)
   EXPECT_TRUE(scene.output.pictures);
 }
 
+TEST(SceneReader, DebrisThatDoesNotRepelCannotRub)
+{
+  EXPECT_EQ(read_with({"Contact/Debris stiffness factor=0"}).contact.debris_factor, 0.);
+  expect_scene_error({"Contact/Debris stiffness factor=0", "Contact/Debris friction factor=0.4"},
+                     {"Contact/Debris friction factor", "nothing to rub against", "above 0"});
+}
+
+TEST(SceneReader, PictureTimesMustAscend)
+{
+  expect_scene_error({"Output/Picture times=45 us, 45 us"},
+                     {"Output/Picture times", "Time 2 does not come after time 1", "ascending"});
+  expect_scene_error({"Output/Picture times=45 us, 94"}, {"Value 2", "The unit is missing"});
+  expect_scene_error({"Output/Picture times=45 us,"}, {"Output/Picture times"});
+}
+
 TEST(SceneReader, OptionalEntriesAreRead)
 {
-  const Scene scene = read_with(
-      {"Symmetric=false", "Impact/Attack angle=-3 deg", "Impact/Entry point=50 mm, -3 mm",
-       "Impact/Clearance=0.1 mm", "Plate 1/Influence function=inverse",
-       "Plate 1/Horizon ratio=4.01", "Contact/Stiffness factor=2",
-       "Contact/Debris stiffness factor=0", "Contact/Shank contact fraction=0",
-       "Contact/Shank resistance=0 Pa", "Contact/Regularisation speed=1 m/s",
-       "Time/Safety factor=0.5", "Time/Stop early=false", "Time/Free time=9 us",
-       "Output/Directory=there", "Output/Frame interval=0 us", "Output/History interval=2 us",
-       "Output/ParaView files=false", "Output/Pictures=false"});
+  const Scene scene = read_with({"Symmetric=false",
+                                 "Impact/Attack angle=-3 deg",
+                                 "Impact/Entry point=50 mm, -3 mm",
+                                 "Impact/Clearance=0.1 mm",
+                                 "Plate 1/Influence function=inverse",
+                                 "Plate 1/Horizon ratio=4.01",
+                                 "Contact/Stiffness factor=2",
+                                 "Contact/Debris stiffness factor=0.2",
+                                 "Contact/Debris friction factor=0.4",
+                                 "Contact/Shank contact fraction=0",
+                                 "Contact/Shank resistance=0 Pa",
+                                 "Contact/Regularisation speed=1 m/s",
+                                 "Time/Safety factor=0.5",
+                                 "Time/Stop early=false",
+                                 "Time/Free time=9 us",
+                                 "Output/Directory=there",
+                                 "Output/Frame interval=0 us",
+                                 "Output/History interval=2 us",
+                                 "Output/ParaView files=false",
+                                 "Output/Pictures=false",
+                                 "Output/Picture times=0 us, 45 us"});
   EXPECT_FALSE(scene.symmetric);
   EXPECT_DOUBLE_EQ(scene.impact.attack_angle, -M_PI / 60.);
   EXPECT_DOUBLE_EQ(scene.impact.entry_y, -3e-3);
@@ -104,7 +133,11 @@ TEST(SceneReader, OptionalEntriesAreRead)
   EXPECT_EQ(scene.plates[0].influence_function, InfluenceFunction::inverse);
   EXPECT_DOUBLE_EQ(scene.plates[0].horizon_ratio, 4.01);
   EXPECT_EQ(scene.contact.stiffness_factor, 2.);
-  EXPECT_EQ(scene.contact.debris_factor, 0.);
+  EXPECT_EQ(scene.contact.debris_factor, 0.2);
+  EXPECT_EQ(scene.contact.debris_friction, 0.4);
+  ASSERT_EQ(scene.output.picture_times.size(), 2u);
+  EXPECT_EQ(scene.output.picture_times[0], 0.);
+  EXPECT_DOUBLE_EQ(scene.output.picture_times[1], 45e-6);
   EXPECT_EQ(scene.contact.shank_contact_fraction, 0.);
   EXPECT_EQ(scene.contact.shank_resistance, 0.);
   EXPECT_EQ(scene.contact.friction.regularisation_speed, 1.);
@@ -447,6 +480,7 @@ void expect_equal(const Scene &a, const Scene &b)
   EXPECT_EQ(a.contact.friction.law, b.contact.friction.law);
   EXPECT_EQ(a.contact.friction.decay, b.contact.friction.decay);
   EXPECT_EQ(a.contact.debris_factor, b.contact.debris_factor);
+  EXPECT_EQ(a.contact.debris_friction, b.contact.debris_friction);
   EXPECT_EQ(a.time.end_time, b.time.end_time);
   EXPECT_EQ(a.time.stop_early, b.time.stop_early);
   EXPECT_EQ(a.output.directory, b.output.directory);

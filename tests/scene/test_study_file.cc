@@ -70,6 +70,29 @@ TEST_F(StudyFile, OneSceneWithoutAxesIsOneCase)
   EXPECT_EQ(read.columns, (Names{"outcome", "exit_speed"}));
 }
 
+TEST_F(StudyFile, AxesMayBeVariedOneAtATime)
+{
+  const auto read = study("set Scenes = scenes/one.prm, scenes/two.prm\n"
+                          "set Combine = one at a time\n"
+                          "set Axis 1 = Impact/Speed: 700 m/s | 800 m/s\n"
+                          "set Axis 2 = Contact/Static friction: 0.3\n");
+  EXPECT_TRUE(read.one_at_a_time);
+  EXPECT_EQ(case_names(read),
+            (Names{"one", "one__speed_700_m_s", "one__speed_800_m_s", "one__static_friction_0.3",
+                   "two", "two__speed_700_m_s", "two__speed_800_m_s", "two__static_friction_0.3"}));
+  const Scene scene = read_scene(ParameterFile(read.cases[3].scene_file, read.cases[3].overrides));
+  EXPECT_NE(scene.impact.speed, 800.);
+  EXPECT_DOUBLE_EQ(scene.contact.friction.static_coefficient, 0.3);
+  expect_study_error("set Scenes = scenes/one.prm\nset Combine = one\n",
+                     {"study.prm:3", "one at a time"});
+}
+
+TEST_F(StudyFile, PicturesAreDrawnUnlessToldOtherwise)
+{
+  EXPECT_TRUE(study("set Scenes = scenes/one.prm\n").pictures);
+  EXPECT_FALSE(study("set Scenes = scenes/one.prm\nset Pictures = false\n").pictures);
+}
+
 TEST_F(StudyFile, ValuesMayContainCommas)
 {
   const auto read = study("set Scenes = scenes/one.prm\n"

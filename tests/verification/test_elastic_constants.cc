@@ -56,7 +56,7 @@ class ElasticConstantsTable : public testing::TestWithParam<Row>
 {
 };
 
-// Measured with an independent prototype in the design phase (coupling note, table 2.1), printed to
+// Measured with an independent prototype in the design phase, printed to
 // three digits.
 INSTANTIATE_TEST_SUITE_P(
     Rows, ElasticConstantsTable,

@@ -6,13 +6,11 @@
 #pragma once
 
 #include "ricochet/drivers/plate_zone.h"
+#include "ricochet/drivers/projectile.h"
 #include "ricochet/drivers/zone_watch.h"
 #include "ricochet/dynamics/power_iteration.h"
 #include "ricochet/forces/debris_contact.h"
 #include "ricochet/forces/fracture_energy.h"
-#include "ricochet/forces/projectile_contact.h"
-#include "ricochet/output/frame.h"
-#include "ricochet/scene/scene.h"
 
 namespace ricochet
 {
@@ -20,6 +18,7 @@ namespace ricochet
 struct EnergyBalance
 {
   double projectile; // kinetic
+  double elastic;    // in a deformable projectile
   double kinetic;    // of the plates
   double strain;     // in intact bonds and elements
   double hourglass;  // in the hourglass modes of one-point elements
@@ -30,11 +29,13 @@ struct EnergyBalance
   double fracture;   // released by broken bonds
   double initial;    // kinetic energy of the projectile at the start
   double viscous;    // turned into heat by relaxation
+  /// Turned into heat between plates and in debris.
+  double debris_friction;
 
   double residual() const
   {
-    return initial - projectile - kinetic - strain - hourglass - conversion - contact - debris -
-           friction - fracture - viscous;
+    return initial - projectile - elastic - kinetic - strain - hourglass - conversion - contact -
+           debris - friction - debris_friction - fracture - viscous;
   }
 };
 
@@ -64,7 +65,7 @@ public:
   long step() const { return step_; }
 
   const Scene &scene() const { return scene_; }
-  const RigidBody &projectile() const { return *projectile_; }
+  const Projectile &projectile() const { return *projectile_; }
   const ProjectileContact::Reaction &reaction() const
   {
     return reaction_;
@@ -100,7 +101,7 @@ public:
   std::string describe_fastest_point() const;
 
   PointFrame points() const; // owned by this rank
-  SurfaceFrame surface() const;
+  SurfaceFrame surface() const { return projectile_->surface(); }
   ElementFrame elements() const; // owned by this rank
 
   /// What limits the step, for the user.
@@ -109,6 +110,8 @@ public:
     double frequency;        // largest of the bonds [rad/s]
     double contact_share;    // of the squared frequency that contact adds [-]
     double seconds_per_step; // measured, forces only [s]
+    double plates_dt;        // the step that the plates alone would allow [s]
+    double projectile_dt;    // the same of a deformable projectile; infinite if rigid [s]
   };
   TimeStepInfo time_step_info() const { return time_step_info_; }
   /// Of each plate alone, without contact.
@@ -128,18 +131,16 @@ private:
   std::vector<std::unique_ptr<PeridynamicForce>> plates_;
   std::vector<std::unique_ptr<FarField>> far_fields_;
   std::vector<std::unique_ptr<ZoneWatch>> zone_watches_;
-  std::vector<ProjectileContact> contacts_; // per plate
-  std::vector<FractureEnergy> fractures_;   // per plate
+  std::vector<FractureEnergy> fractures_; // per plate
   std::unique_ptr<DebrisContact> debris_;
   std::unique_ptr<FrictionLaw> friction_law_;
-  std::unique_ptr<RigidBody> projectile_;
+  std::unique_ptr<Projectile> projectile_;
   ProjectileContact::Reaction reaction_;
   TimeStepInfo time_step_info_;
   std::vector<FrequencyEstimate> frequencies_;
   double time_ = 0., dt_ = 0.;
-  long step_                 = 0;
-  double initial_energy_     = 0.;
-  double work_on_projectile_ = 0.; // of friction [J]
+  long step_             = 0;
+  double initial_energy_ = 0.;
 };
 
 /// s_c from the material: given, or from the energy release rate on this stencil [-].

@@ -1,152 +1,100 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Short-range repulsion of points that no bond connects (Macek and Silling 2007): debris does not
-// interpenetrate, and bodies touch. Per pair
-//   f = k (d - r) for r < d,   d = min(0.9 |X_j - X_i|, 1.35 dx),   k = factor 18 K V^2 / (pi
-//   delta^5)
-// Two points of one body repel if their bond is broken, or if they never had one and at least one
-// of them is damaged; points of different bodies always do.
+// Short-range contact of points that no bond connects (Macek and Silling 2007): debris does not
+// interpenetrate, and bodies touch and rub. Per pair
+//   normal    f_n = k (d - r) for r < d,   d = min(0.9 |X_j - X_i|, 1.35 dx),
+//             k = factor 18 K V^2 / (pi delta^5)
+//   friction  f_t = -mu(v_t) f_n v_t/|v_t|, where v_t is the relative velocity without its part
+//             along the pair
+// equal and opposite. Two points of one body touch if their bond is broken, or if they never had
+// one and at least one of them is damaged; points of different bodies always do
+// (forces/debris_pairs.h).
 //
-// Every few steps all pairs that can touch before the next search are listed: each point may travel
-// its own reach, as far as its present speed suggests. The few points that leave their reach
-// earlier, fragments that something has hit, are searched again one by one; only when they are
-// many, all are. So no contact is missed, and fast fragments do not make the others' lists long or
-// short-lived. Pairs of two sound points are not listed far from damage; where a point there breaks
-// a bond it is searched again too. Bonds that break are added at once. The lists are kept in one
-// order, so forces do not depend on when and how has been searched.
+// Points do not rotate, so friction between two of them keeps linear momentum to rounding but not
+// angular momentum: what is missing is the couple of the two forces, whose arm is r.
 #pragma once
 
+#include "ricochet/contact/friction_law.h"
 #include "ricochet/discretization/plane_sums.h"
-#include "ricochet/forces/contact_search.h"
-
-#include <unordered_map>
+#include "ricochet/forces/debris_pairs.h"
 
 namespace ricochet
 {
 class DebrisContact
 {
 public:
+  struct Friction
+  {
+    const FrictionLaw *law = nullptr; // outlives the contact; none: frictionless
+    double factor          = 1.;      // of the law's coefficient [-]
+    double regularisation_speed =
+        0.; // below it the force falls linearly to zero [m/s], > 0 if used
+  };
+
   /// `factor` 0 switches the contact off. The bodies must outlive this object. `mirrored`: y = 0 is
   /// a symmetry plane. `search`: one of contact_search_names(); throws InputError for another one.
   DebrisContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
                 const std::string &search = "linked cells");
-  ~DebrisContact();
+  DebrisContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
+                const std::string &search, const Friction &friction);
 
-  /// Adds repulsion to the bodies' forces. `dt`: the coming step [s], which tells how far points
-  /// may get before the pairs are searched again. Collective.
+  /// Adds contact forces to the bodies' forces. `dt`: the coming step [s]; it tells how far points
+  /// may get before the pairs are searched again, and how much friction it takes to stop them.
+  /// Collective.
   void evaluate(double dt);
+
+  /// Adds the work of friction in this step to the ledger: call after the bodies' kick, which is
+  /// `dt` long.
+  void record_work(double dt);
 
   /// Energy stored in the repulsion, both halves [J]. Collective.
   double energy() const;
+  /// Work of friction on the points so far, both halves [J]; the heat is minus that. Collective.
+  double friction_work() const;
 
   /// Pairs that touch; a point and an image count as half of one. Collective.
   double n_touching() const;
   /// How often all pairs have been searched, and how many points have been searched alone.
-  long n_searches() const { return n_searches_; }
-  long n_single_searches() const { return n_single_searches_; }
+  long n_searches() const { return pairs_.n_searches(); }
+  long n_single_searches() const { return pairs_.n_single_searches(); }
 
   /// Upper bound of the squared frequency which this contact adds to a point of the body [1/s^2].
   double squared_frequency(const PeridynamicForce &body) const;
 
 private:
-  /// A pair of former neighbours: flat indices of one body.
-  struct BondPair
-  {
-    std::int32_t p, q;
-    double distance; // d [m]
-  };
-  /// Two points that have never been neighbours, by their numbers in watched_.
-  struct ForeignPair
-  {
-    std::int32_t a, b;
-    bool one_body;
-    double distance;  // d [m]
-    double stiffness; // k [N/m]
-  };
-  /// A point of this rank, or its image across y = 0.
-  struct Follower
-  {
-    std::int32_t flat; // index in the body's lattice
-    std::int16_t body;
-    bool image;
-  };
+  using Follower = DebrisPairs::Follower;
+
   /// Two points that touch now.
   struct Contact
   {
     std::int64_t key_1, key_2; // order the contacts
     Follower first, second;    // flat < 0: not a point of this rank
     double force[3];           // on the second, minus that on the first [N]
+    double friction[3];        // its part along the surface [N]
     double energy;             // [J]
   };
-  /// A point of a foreign pair as it is now.
-  struct Watched
+  /// A point of this rank that something rubs against.
+  struct Rubbed
   {
-    double position[3]; // [m]
-    double damaged;     // 0 or 1
-  };
-  struct Box
-  {
-    double low[3], high[3]; // [m]
-  };
-  /// Where a body's points were when they were last searched, how far they may get from there, and
-  /// whether all their pairs are known or only those with points that are active themselves.
-  struct Journey
-  {
-    std::vector<double> start[3]; // [m], from the first owned entry on; NaN where there is no point
-    std::vector<double> reach;    // [m]
-    std::vector<char> active;
-    std::vector<Box> boxes; // of `chunk` entries each: the points in them stay inside
-  };
-  /// A pair that may become one of the lists: a point of this rank and any other.
-  struct NewPair
-  {
-    ContactPoint own, other;
+    std::ptrdiff_t point;
+    int body;
+    Vector3 force;    // of friction [N]
+    Vector3 velocity; // before the kick [m/s]
   };
 
-  double contact_distance(double reference_distance, double spacing) const; // d [m]
-  void start_journey(std::size_t body, std::ptrdiff_t p, double dt);
-  void list_pairs(double dt);
-  std::vector<ContactPoint> strays(double dt);
-  void append_broken();
-  void search_all(double dt);
-  void search_again(const std::vector<ContactPoint> &strays);
-  std::vector<ContactPoint> points_near(const ContactPoint &point) const;
-  void begin_journeys(double dt);
-  void mark_active_near_damage(std::size_t body);
-  void mark_active_in_box(std::size_t body, const double *corner);
-  ContactPoint contact_point(std::size_t body, std::ptrdiff_t p,
-                             const std::array<int, 3> &place) const;
-  ContactPoint image_of(ContactPoint point) const;
-  void add_own_points(ContactCandidates &candidates) const;
-  void add_images(ContactCandidates &candidates) const;
-  void add(const ContactPoint &one, const ContactPoint &other);
-  void add_bond_pair(const ContactPoint &lower, const ContactPoint &higher, int offset);
-  void add_foreign_pair(const ContactPoint &lower, const ContactPoint &higher);
-  std::int32_t number_of(const ContactPoint &point);
-  void watch();
-  Watched look_at(const Follower &follower) const;
-  void update_watched();
-  void find_contacts();
+  double stiffness(int body, int other_body) const; // k of a pair [N/m]
+  void find_contacts(double dt);
+  Vector3 friction(const Vector3 &normal, const Vector3 &velocity, double pressure, double mass,
+                   double dt) const;
 
   MPI_Comm communicator_;
-  int rank_, n_ranks_;
   const Bodies &bodies_;
   double factor_;
-  std::vector<double> stiffness_; // k of each body [N/m]
   bool mirrored_;
-  ContactNumbering numbering_;
-  double spacing_, range_; // the largest dx and d of all bodies [m]
-  std::unique_ptr<ContactSearch> search_;
-
-  long n_searches_ = 0, n_single_searches_ = 0;
-  std::vector<Journey> journeys_;                 // per body
-  std::vector<std::vector<BondPair>> bond_pairs_; // per body; some may be listed twice
-  std::vector<ForeignPair> foreign_pairs_;        // likewise
-  std::vector<ContactPoint> watched_points_;      // as they were when found
-  std::unordered_map<std::int64_t, std::int32_t> watched_numbers_; // by id
-  std::vector<Watched> watched_;
-  std::vector<Follower> followers_; // what watched_ follows; flat < 0: a point of another rank
-  std::vector<std::vector<std::int32_t>> watched_of_; // other ranks' points, per rank
-  std::vector<std::vector<Follower>> watched_by_;     // this rank's points, per rank
+  Friction friction_;
+  std::vector<double> stiffness_; // k within each body [N/m]
+  DebrisPairs pairs_;
   std::vector<Contact> contacts_;
+  std::vector<Rubbed> rubbed_;
+  PlaneSums<1> work_; // of friction [J]
 };
 } // namespace ricochet

@@ -112,6 +112,8 @@ public:
 
   /// Bonds of the body; each counted once, over all ranks, a mirrored one half. Collective, slow.
   double count_bonds() const;
+  /// The same, broken ones included.
+  double count_sound_bonds() const;
 
   /// Owned points with an intact bond stretched beyond `stretch` [-] among the blocks given, each
   /// perhaps several times: a look ahead, nothing breaks.

@@ -2,60 +2,18 @@
 // The loops behind kernels/hex_kernel.h, written once on a SIMD type. Each including file defines,
 // in an unnamed namespace before this header, a struct Simd of its instruction set, so that nothing
 // compiled here is visible outside that file.
-//
-// With corner coordinates r, s, t = +-1 the nodal values of a component are a sum of eight modes
-// (1, r, s, t, st, rt, rs, rst); the fast Walsh-Hadamard transform gives all amplitudes, eight
-// times, in 24 additions. Gradients need r, s, t, hourglass control the rest. Forces go back by the
-// transpose.
 #pragma once
 
 #include "ricochet/kernels/hex_kernel.h"
+#include "ricochet/kernels/hex_modes.h"
 
 namespace ricochet
 {
 namespace
 {
-constexpr int lanes      = Simd::width;
-constexpr int block_size = 8;
-
-using V = Simd::V;
-
-enum Mode
-{
-  r,
-  s,
-  t,
-  st,
-  rt,
-  rs,
-  rst,
-  n_modes
-};
-
-/// The values a + s b + t c + s t d at the four points s, t = +-1 in the order --, +-, -+, ++.
-inline void at_four_points(const V a, const V b, const V c, const V d, V (&values)[4])
-{
-  const V low = a - b, high = a + b, low_t = c - d, high_t = c + d;
-  values[0] = low - low_t;
-  values[1] = high - high_t;
-  values[2] = low + low_t;
-  values[3] = high + high_t;
-}
-
-/// The transpose: sums of the values times 1, s, t and s t.
-inline void moments_of_four_points(const V (&values)[4], V &one, V &first, V &second, V &product)
-{
-  const V sum_low = values[0] + values[1], sum_high = values[2] + values[3];
-  const V difference_low = values[1] - values[0], difference_high = values[3] - values[2];
-  one     = sum_high + sum_low;
-  first   = difference_high + difference_low;
-  second  = sum_high - sum_low;
-  product = difference_high - difference_low;
-}
-
 struct Element
 {
-  V mode[3][n_modes]; // eight times the amplitude, of each component of the position [m]
+  V mode[3][n_modes]; // of the position [m]
   V edge;             // [m]
 };
 
@@ -63,86 +21,8 @@ inline Element load(const double *position, const HexBlock &block, const int lan
 {
   Element e;
   e.edge = Simd::load(block.edge + lane);
-  for (int c = 0; c < 3; ++c)
-  {
-    V even[4], odd[4], unused; // in r, of the edges along r
-    for (int i = 0; i < 4; ++i)
-    {
-      const V low  = Simd::gather(position + c, block.entry[2 * i] + lane);
-      const V high = Simd::gather(position + c, block.entry[2 * i + 1] + lane);
-      even[i]      = high + low;
-      odd[i]       = high - low;
-    }
-    moments_of_four_points(even, unused, e.mode[c][s], e.mode[c][t], e.mode[c][st]);
-    moments_of_four_points(odd, e.mode[c][r], e.mode[c][rs], e.mode[c][rt], e.mode[c][rst]);
-  }
+  gather_modes(position, block.entry, lane, e.mode);
   return e;
-}
-
-/// Adds the nodal forces sum_m mode[m] Gamma_m to the elements of lanes `lane` to `end`. Neighbours
-/// share nodes, so they are added one after the other.
-inline void scatter(const V (&mode)[3][n_modes], const HexBlock &block, const int lane,
-                    const int end, double *force)
-{
-  alignas(64) double nodal[3][8][lanes];
-  for (int c = 0; c < 3; ++c)
-  {
-    V even[4], odd[4];
-    at_four_points(Simd::zero(), mode[c][s], mode[c][t], mode[c][st], even);
-    at_four_points(mode[c][r], mode[c][rs], mode[c][rt], mode[c][rst], odd);
-    for (int i = 0; i < 4; ++i)
-    {
-      Simd::store(nodal[c][2 * i], even[i] - odd[i]);
-      Simd::store(nodal[c][2 * i + 1], even[i] + odd[i]);
-    }
-  }
-  for (int l = lane; l < end; ++l)
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      double *const f = force + block.entry[corner][l];
-      for (int c = 0; c < 3; ++c)
-        f[c] += nodal[c][corner][l - lane];
-    }
-}
-
-/// A symmetric matrix: 11, 22, 33, 23, 13, 12.
-struct Symmetric
-{
-  V a[6];
-};
-
-/// 2 E = F^T F - 1
-inline Symmetric twice_green_strain(const V (&F)[3][3])
-{
-  constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
-  Symmetric e;
-  for (int i = 0; i < 6; ++i)
-  {
-    const int j = row[i], k = column[i];
-    e.a[i] = Simd::fma(
-        F[0][j], F[0][k],
-        Simd::fma(F[1][j], F[1][k],
-                  i < 3 ? Simd::fma(F[2][j], F[2][k], -Simd::set(1.)) : F[2][j] * F[2][k]));
-  }
-  return e;
-}
-
-/// P = F S, row of component c.
-inline void first_piola_kirchhoff(const V (&F)[3], const Symmetric &S, V (&P)[3])
-{
-  P[0] = Simd::fma(F[0], S.a[0], Simd::fma(F[1], S.a[5], F[2] * S.a[4]));
-  P[1] = Simd::fma(F[0], S.a[5], Simd::fma(F[1], S.a[1], F[2] * S.a[3]));
-  P[2] = Simd::fma(F[0], S.a[4], Simd::fma(F[1], S.a[3], F[2] * S.a[2]));
-}
-
-/// 4 w = 2 S : E with the energy density w = S : E / 2.
-inline V four_energy_densities(const Symmetric &S, const Symmetric &twice_e)
-{
-  const V normal =
-      Simd::fma(S.a[0], twice_e.a[0], Simd::fma(S.a[1], twice_e.a[1], S.a[2] * twice_e.a[2]));
-  const V shear =
-      Simd::fma(S.a[3], twice_e.a[3], Simd::fma(S.a[4], twice_e.a[4], S.a[5] * twice_e.a[5]));
-  return normal + shear + shear;
 }
 
 struct SharedModuli
@@ -368,7 +248,7 @@ void one_point(const HexArrays &arrays, const HexGroup &group, const HexRelaxati
           force[c][m] = Simd::zero() - k_bending * e.mode[c][m];
         force[c][rst] = Simd::zero() - k_warping * e.mode[c][rst];
       }
-      scatter(force, block, lane, end, arrays.force);
+      scatter(force, block.entry, lane, end, arrays.force);
 
       const V quarter_volume = Simd::set(0.25) * e.edge * e.edge * e.edge;
       if constexpr (Law::relaxes)
@@ -459,7 +339,7 @@ void integrated(const HexArrays &arrays, const HexGroup &group, const HexRelaxat
         force[c][st]   = scaled * (second_moment[1] + second_moment[2]);
         force[c][rst]  = weight * gauss2 * warping;
       }
-      scatter(force, block, lane, end, arrays.force);
+      scatter(force, block.entry, lane, end, arrays.force);
 
       if constexpr (Law::relaxes)
         add_dissipated(law, Simd::set(1. / 32.) * e.edge * e.edge * e.edge, first, lane, end);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Pictures of a finished run, drawn by the script plot_run.py with Debian's python3, matplotlib and
-// h5py. A run is complete without them: whatever goes wrong here costs one line of text, never the
-// run.
+// Pictures of a finished run or study, drawn by the scripts plot_*.py with Debian's python3,
+// matplotlib and h5py. A run is complete without them: whatever goes wrong here costs one line of
+// text, never the run.
 #pragma once
 
 #include <filesystem>
@@ -14,6 +14,10 @@ namespace ricochet
 /// environment variable RICOCHET_SCRIPT_DIR, or else in the one compiled in, and says in one line
 /// what it drew (unless quiet) or why it could not. Collective.
 bool draw_pictures(MPI_Comm comm, const std::filesystem::path &directory, bool quiet);
+
+/// The same with plot_study.py: draws DIRECTORY/comparison.png from study.csv and the results in
+/// the folders of the cases. Collective.
+bool draw_study_picture(MPI_Comm comm, const std::filesystem::path &directory, bool quiet);
 
 /// The same with plot_search.py: draws the PNG `picture` from the rows of `ricochet bench search
 /// --json`, one JSON object per line. Collective.

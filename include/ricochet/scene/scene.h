@@ -7,6 +7,7 @@
 #include "ricochet/contact/friction_law.h"
 #include "ricochet/coupling/coupling_method.h"
 #include "ricochet/geometry/body_of_revolution.h"
+#include "ricochet/geometry/hex_solid.h"
 #include "ricochet/materials/influence_function.h"
 #include "ricochet/materials/relaxation.h"
 
@@ -64,10 +65,23 @@ struct ZoneParameters
   bool has_elements() const { return kind != ZoneKind::everything; }
 };
 
+enum class ProjectileModel
+{
+  rigid,
+  finite_elements,
+  peridynamic
+};
+
 struct ProjectileParameters
 {
   BodyOfRevolution::Shape shape;
   double mass; // [kg], of the whole projectile
+  // Of a deformable one:
+  ProjectileModel model = ProjectileModel::rigid;
+  double youngs_modulus = 0., poissons_ratio = 0.; // [Pa], [-]
+  double spacing = 0.;                             // dx of the points of a peridynamic one [m]
+  int refinement = 2;                              // of the generated mesh, from 1
+  HexSolid mesh  = {}; // read from a file, axis along x; no cells: generated from the shape
 };
 
 struct ImpactParameters
@@ -86,7 +100,8 @@ struct ContactParameters
   FrictionParameters friction;   // projectile on plate
   double shank_resistance;       // A, target resistance on the shank [Pa]
   double shank_contact_fraction; // k, 0 switches shank friction off [-]
-  double debris_factor; // of the short-range stiffness 18 K/(pi delta^4), 0 switches off [-]
+  double debris_factor;        // of the short-range stiffness 18 K/(pi delta^4), 0 switches off [-]
+  double debris_friction = 0.; // of points on points, in units of the projectile's; 0: none [-]
   std::string search = "linked cells"; // one of contact_search_names() in forces/contact_search.h
 };
 
@@ -105,6 +120,8 @@ struct OutputParameters
   double history_interval; // between history rows [s]
   bool vtu;                // write files for ParaView
   bool pictures;           // draw PNGs at the end
+  /// Of the section's picture, ascending [s]; none: evenly spaced.
+  std::vector<double> picture_times = {};
 };
 
 struct Scene

@@ -35,7 +35,11 @@ struct StudyParameters
   std::vector<std::string> columns; // empty: the driver's choice
   std::vector<std::string> scenes;  // paths of the parameter files
   std::vector<StudyAxis> axes;
-  std::vector<StudyCase> cases; // scene by scene, the last axis changes fastest
+  bool one_at_a_time; // the axes are varied one after the other instead of in all combinations
+  bool pictures;      // draw a comparison at the end
+  // Scene by scene, the last axis changes fastest; one at a time: the scene itself, then axis by
+  // axis.
+  std::vector<StudyCase> cases;
 };
 
 /**

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One command for what needs several processes: `ricochet bench search --processes 4` starts itself
+// under mpirun.
+#pragma once
+
+namespace ricochet
+{
+constexpr int most_processes = 1024;
+
+/// If the command line has `--processes N` with N > 1 and this process is not yet one of several,
+/// mpirun takes its place, with N processes of the same command line. Returns 0 if there is nothing
+/// to do, and an exit status, having said why, if mpirun could not be started. Call before MPI is
+/// initialised.
+int start_processes(int argc, char **argv);
+} // namespace ricochet

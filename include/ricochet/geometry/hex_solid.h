@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A solid cut into eight-node hexahedra of any shape, as plain arrays, with the measures that
+// decide whether it can be computed with: Jacobians, quality, smallest edge, volume, surface.
+#pragma once
+
+#include "ricochet/geometry/vector.h"
+
+#include <array>
+#include <vector>
+
+namespace ricochet
+{
+struct HexSolid
+{
+  std::vector<Vector3> nodes;            // [m]
+  std::vector<std::array<int, 8>> cells; // corner = x + 2 y + 4 z of the unit cube
+};
+
+/// Four nodes around a face of the surface, counter-clockwise seen from outside.
+using SurfaceQuad = std::array<int, 4>;
+
+/// Volume of one cell, by Gauss quadrature, which is exact [m^3].
+double cell_volume(const HexSolid &solid, int cell);
+double volume(const HexSolid &solid);    // [m^3]
+Vector3 centroid(const HexSolid &solid); // [m]
+
+/// Smallest triple product of the unit vectors along the three edges that meet in a corner: 1 for a
+/// box, not positive for a cell that is folded or inside out [-].
+double scaled_jacobian(const HexSolid &solid, int cell);
+
+double smallest_edge(const HexSolid &solid); // [m]
+
+/// Faces that belong to one cell only. Throws InputError if more than two cells share a face.
+std::vector<SurfaceQuad> surface_of(const HexSolid &solid);
+
+/// The cells at y >= 0 with their nodes, those within `tolerance` of the plane moved onto it.
+/// Throws InputError if a cell lies on both sides.
+HexSolid upper_half(const HexSolid &solid, double tolerance);
+} // namespace ricochet

@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draw comparison.png from the runs of a ricochet study: the paths of all cases in one diagram, and of each the section at
+its end with what came out.
+
+    plot_study.py STUDY_DIRECTORY
+
+Reads study.csv of that folder and the results in the folders of its cases; at most eight cases are drawn. Exit status:
+0 drawn, 1 nothing to draw or a damaged file, 2 wrong use, 3 matplotlib or h5py not installed.
+"""
+
+import csv
+import os
+import sys
+
+import plot_run
+from plot_run import BLACK, GREY, plt
+
+# Colours of Okabe and Ito, distinguishable with every kind of colour vision; dashes tell the cases too.
+COLORS = [plot_run.BLUE, plot_run.VERMILION, plot_run.GREEN, plot_run.ORANGE, plot_run.PURPLE, plot_run.SKY, BLACK, GREY]
+DASHES = ["-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (3, 1)), (0, (1, 1))]
+MOST = len(COLORS)
+
+
+class Case:
+    """One run: name, title, summary, history and last frame; what is missing is None."""
+
+    def __init__(self, directory, name):
+        self.name = name
+        folder = os.path.join(directory, name)
+        self.summary = plot_run.read_summary(folder)
+        self.history = plot_run.read_history(folder, None)
+        self.title = plot_run.title_of(folder)[0]
+        self.frames, self.first = [], None
+        section = os.path.join(folder, "section.h5")
+        if os.path.exists(section):
+            self.frames, self.first = plot_run.read_frames(section, n_panels=2)
+
+    def exists(self):
+        """Whether there is anything to draw."""
+        return self.history is not None and len(self.history) > 0
+
+
+def read_cases(directory):
+    """The cases of study.csv in their order, as far as they have run, and how many there are in all."""
+    with open(os.path.join(directory, "study.csv"), newline="", encoding="utf-8") as file:
+        names = [row["case"] for row in csv.DictReader(file)]
+    cases = []
+    for name in names:
+        case = Case(directory, name)
+        if case.exists():
+            cases.append(case)
+        if len(cases) == MOST:
+            break
+    return cases, len(names)
+
+
+def label_of(case, cases):
+    """The title of the case, or its name where titles do not tell the cases apart."""
+    titles = [other.title for other in cases]
+    return case.title if titles.count(case.title) == 1 else case.name.replace("__", ", ").replace("_", " ")
+
+
+def numbers_of(case):
+    """What came out, in two short lines."""
+    s = case.summary
+    if s is None:
+        return "not finished"
+    exit_text = "" if s.get("exit_speed_m_s") is None else f", {s['exit_speed_m_s']:.0f} m/s"
+    if exit_text and s.get("exit_angle_deg") is not None:
+        exit_text += f" at {s['exit_angle_deg']:.0f}°".replace("-", "−")
+    lines = [f"{s.get('outcome', '')}{exit_text}; depth {s.get('max_depth_mm', float('nan')):.1f} mm, "
+             f"path {s.get('path_mm', float('nan')):.0f} mm"]
+    plates = [key.split("_")[1] for key in s if key.startswith("plate_") and key.endswith("_broken_share")]
+    for plate in plates:
+        lines.append((f"plate {plate}: " if len(plates) > 1 else "") +
+                     f"{100 * s[f'plate_{plate}_broken_share']:.1f} % of the bonds, damaged front "
+                     f"{s[f'plate_{plate}_front_damaged_mm2']:.0f}, rear {s[f'plate_{plate}_rear_damaged_mm2']:.0f} mm²")
+    return "\n".join(lines)
+
+
+def draw_paths(axes, cases):
+    """The ways of the centroids in the plane of the flight."""
+    for i, case in enumerate(cases):
+        axes.plot(case.history["x"], case.history["z"], color=COLORS[i], linestyle=DASHES[i], label=label_of(case, cases))
+        axes.plot(case.history["x"][-1:], case.history["z"][-1:], "o", color=COLORS[i], markersize=4)
+    axes.axhline(0, color=GREY, linewidth=0.8, linestyle=(0, (4, 3)))
+    axes.set_xlabel("x [mm]", labelpad=2)
+    axes.set_ylabel("z of the centroid [mm]", labelpad=2)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0, handlelength=2.6)
+    axes.grid(color="#E3E3E3", linewidth=0.6)
+    axes.set_axisbelow(True)
+
+
+def draw_section(axes, case, color, low, high):
+    """The last frame of a case with the whole path."""
+    frame = case.frames[-1]
+    sizes = {body: plot_run.spacing_of(case.first.points[case.first.body == body]) for body in set(case.first.body)}
+    plates = plot_run.draw_frame(axes, frame, sizes, None)
+    axes.plot(case.history["x"], case.history["z"], color=color, linewidth=1.1, zorder=4)
+    axes.set_xlim(low[0], high[0])
+    axes.set_ylim(low[1], high[1])
+    axes.xaxis.set_major_locator(plot_run.ticks(8))
+    axes.yaxis.set_major_locator(plot_run.ticks(5))
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(True)
+    return plates
+
+
+def windows(cases):
+    """Limits that fit the sections of all cases."""
+    limits = [plot_run.window(case.frames, case.first) for case in cases]
+    lows, highs = zip(*limits)
+    return (min(low[0] for low in lows), min(low[1] for low in lows)), (max(high[0] for high in highs),
+                                                                       max(high[1] for high in highs))
+
+
+def draw(directory):
+    """comparison.png, or None if no case has results."""
+    cases, n_all = read_cases(directory)
+    if not cases:
+        return None
+    shown = [case for case in cases if case.frames]
+    lines = max(numbers_of(case).count("\n") + 2 for case in cases)
+    n_columns = 1 if len(shown) == 1 else 2
+    n_rows = -(-len(shown) // n_columns)
+    low, high = windows(shown) if shown else ((0, 0), (1, 1))
+    ratio = min(1.2, (high[1] - low[1]) / (high[0] - low[0]))
+    panel = 6.0 if n_columns == 1 else 4.8
+    left, right, top, bottom, gap_x, gap_y, paths = 0.62, 0.95, 0.55, 0.5, 0.14, 0.16 + 0.155 * lines, 2.4
+    width = left + 2 * 4.8 + gap_x + right
+    sections = n_rows * (panel * ratio + gap_y)
+    height = top + paths + 0.35 + sections + bottom
+    figure = plt.figure(figsize=(width, height))
+    title = os.path.basename(os.path.abspath(directory)).replace("_", " ") + ": comparison of the cases"
+    if n_all > len(cases):
+        title += f" (the first {len(cases)} of {n_all} that have run)"
+    figure.text(0.12 / width, 1 - 0.12 / height, title, size=11, weight="bold", va="top")
+    draw_paths(figure.add_axes([left / width, (bottom + sections + 0.35) / height, 6.0 / width, paths / height]), cases)
+
+    for i, case in enumerate(shown):
+        row, column = divmod(i, n_columns)
+        x = left + column * (panel + gap_x)
+        y = bottom + (n_rows - 1 - row) * (panel * ratio + gap_y)
+        axes = figure.add_axes([x / width, y / height, panel / width, panel * ratio / height])
+        color = COLORS[cases.index(case)]
+        plates = draw_section(axes, case, color, low, high)
+        axes.text(0, 1.02, numbers_of(case), transform=axes.transAxes, size=7.5, va="bottom", color="#444444",
+                  linespacing=1.25)
+        axes.text(0, 1.02 + 0.155 * (lines - 1) / (panel * ratio), f"{label_of(case, cases)}, at {case.frames[-1].time:.0f} µs",
+                  transform=axes.transAxes, size=8.5, weight="bold", va="bottom", color=color)
+        lowest = i + n_columns >= len(shown)
+        axes.tick_params(labelbottom=lowest, labelleft=column == 0)
+        if lowest:
+            axes.set_xlabel("x [mm]", labelpad=2)
+        if column == 0:
+            axes.set_ylabel("z [mm]", labelpad=2)
+    if shown:
+        bar_height = min(sections - gap_y, 3.2)
+        bar = figure.add_axes([(width - right + 0.18) / width, bottom / height, 0.13 / width, bar_height / height])
+        colorbar = figure.colorbar(plates, cax=bar, ticks=[0, 0.25, 0.5, 0.75, 1])
+        colorbar.set_label("damage", labelpad=3)
+
+    target = os.path.join(directory, "comparison.png")
+    plot_run.save(figure, target)
+    return target
+
+
+def main(arguments):
+    """Draw what there is."""
+    if len(arguments) != 2 or arguments[1] in ("-h", "--help"):
+        print(__doc__.strip())
+        return 0 if len(arguments) == 2 else 2
+    directory = arguments[1]
+    plt.rcParams.update(plot_run.STYLE)
+    try:
+        target = draw(directory)
+    except (OSError, ValueError, KeyError) as error:
+        print(f"plot_study.py: {directory}: {error}", file=sys.stderr)
+        return 1
+    if target is None:
+        print(f"plot_study.py: no case of {directory} has a history", file=sys.stderr)
+        return 1
+    print("Picture: " + target)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))
