@@ -21,7 +21,6 @@ struct Crack
   std::map<int, std::pair<double, double>> sums; // per plane of points along x: of z, and how many
   double n_broken    = 0.;
   long n_conversions = 0;
-  double reached     = -1.; // [s]
 
   double height(const int x) const { return sums.at(x).first / sums.at(x).second; }
   int tip() const { return sums.empty() ? -1 : sums.rbegin()->first; }
@@ -101,13 +100,14 @@ Crack crack(const bool coupled, const int n_steps)
         result.n_broken += 1.;
       });
   result.n_conversions = watch.n_conversions();
-  result.reached       = watch.reached();
   return result;
 }
 
-TEST(LongCrack, RunsThroughAGrowingZoneAsThroughPoints)
+TEST(Crack, RunsThroughAGrowingZoneAsThroughPoints)
 {
   const auto full = crack(false, 260), coupled = crack(true, 260);
+  // Bonds at the upper and lower interface, which stays, are stretched near to the watch's limit by
+  // the tension itself: that it was reached says nothing here.
   std::printf("full: %g bonds, tip at %d; coupled: %g bonds, tip at %d, %ld conversions\n",
               full.n_broken, full.tip(), coupled.n_broken, coupled.tip(), coupled.n_conversions);
   double worst = 0.;
@@ -121,49 +121,78 @@ TEST(LongCrack, RunsThroughAGrowingZoneAsThroughPoints)
   std::printf("path: %g horizons apart on %d planes\n", worst / horizon, n_planes);
   EXPECT_GE(full.tip(), 50) << "the crack did not leave the first zone, 32 planes long";
   EXPECT_GE(coupled.n_conversions, 2);
-  EXPECT_LT(coupled.reached, 0.);
   EXPECT_GE(n_planes, 25);
   EXPECT_LE(worst, 2. * horizon);
   EXPECT_LE(std::abs(full.tip() - coupled.tip()), 6); // 2 horizons
   EXPECT_NEAR(coupled.n_broken / full.n_broken, 1., 0.1);
 }
 
+TEST(Crack, ReachesAndPassesTheFirstInterfaceAtTheSameTime)
+{
+  // The first zone ends at plane 32.
+  for (const int n_steps : {40, 60, 80})
+  {
+    const auto full = crack(false, n_steps), coupled = crack(true, n_steps);
+    std::printf("%d steps: tip at %d, coupled %d, %ld conversions\n", n_steps, full.tip(),
+                coupled.tip(), coupled.n_conversions);
+    EXPECT_LE(std::abs(full.tip() - coupled.tip()), 6); // 2 horizons
+  }
+}
+
 struct ImpactResult
 {
-  double speed, damaged, reached;
+  double speed;   // at 60 us [m/s]
+  double damaged; // sum of the damage of all points, 1 mm^3 each
 };
 
-/// The small impact on a large plate; the zone reaches so many horizons beyond what breaks.
+/// The small impact on a large and tough plate, mean of three entry points a micrometre apart; the
+/// zone reaches so many horizons beyond what breaks, or everywhere if negative.
 ImpactResult impact(const double horizons)
 {
-  Scene scene                  = symmetric(coupled_scene());
-  scene.plates[0].length       = 140e-3;
-  scene.plates[0].width        = 120e-3;
-  scene.impact.entry_x         = 60e-3;
-  scene.zone.coarsening_levels = 1;
-  const double margin          = horizons * horizon;
-  scene.plates[0].zone_boxes   = {{56e-3 - margin, 80e-3 + margin, -8e-3 - margin, 8e-3 + margin}};
-  Simulation simulation(MPI_COMM_SELF, scene);
-  for (int step = 0; simulation.time() < 60e-6; ++step)
+  ImpactResult mean{0., 0.};
+  for (const double nudge : {0., 1e-6, 2e-6})
   {
-    simulation.evaluate(false);
-    simulation.advance();
+    Scene scene                         = symmetric(coupled_scene());
+    scene.plates[0].length              = 140e-3;
+    scene.plates[0].width               = 120e-3;
+    scene.impact.entry_x                = 60e-3 + nudge;
+    scene.materials[0].critical_stretch = 0.03;
+    scene.zone.coarsening_levels        = 1;
+    if (horizons < 0.)
+      scene.zone.kind = ZoneKind::everything;
+    const double margin        = horizons * horizon;
+    scene.plates[0].zone_boxes = {{56e-3 - margin, 80e-3 + margin, -8e-3 - margin, 8e-3 + margin}};
+    Simulation simulation(MPI_COMM_SELF, scene);
+    while (simulation.time() < 60e-6)
+    {
+      simulation.evaluate(false);
+      simulation.advance();
+    }
+    const auto &plate = *simulation.plates()[0];
+    plate.lattice().for_each_owned([&](const std::ptrdiff_t p)
+                                   { mean.damaged += plate.damage(p) / 3.; });
+    mean.speed += simulation.projectile().motion().velocity.norm() / 3.;
+    if (horizons >= 0.)
+    {
+      EXPECT_LT(simulation.zone_watches()[0]->reached(), 0.);
+    }
   }
-  const auto &plate = *simulation.plates()[0];
-  double damaged    = 0.;
-  plate.lattice().for_each_owned([&](const std::ptrdiff_t p) { damaged += plate.damage(p); });
-  return {simulation.projectile().motion().velocity.norm(), damaged,
-          simulation.zone_watches()[0]->reached()};
+  return mean;
 }
 
 TEST(LongV23InterfacePosition, ImpactDoesNotFeelTheInterface)
 {
-  const auto near = impact(4.), middle = impact(8.), far = impact(16.);
-  for (const auto &result : {near, middle, far})
-    std::printf("speed %.4f m/s, damaged volume %.2f, interface reached %g us\n", result.speed,
-                result.damaged, 1e6 * result.reached);
-  EXPECT_NEAR(middle.speed / far.speed, 1., 0.02);
-  EXPECT_NEAR(middle.damaged / far.damaged, 1., 0.02);
+  // A plate that breaks all over (critical stretch 0.01 instead of 0.03) does not tell: there a
+  // micrometre in the entry point changes the exit speed by 6 % without any interface.
+  const auto near = impact(4.), middle = impact(8.), far = impact(16.), everything = impact(-1.);
+  for (const auto &result : {near, middle, far, everything})
+    std::printf("speed %.3f m/s, damaged volume %.2f mm^3\n", result.speed, result.damaged);
+  EXPECT_GT(far.damaged, 20.);
+  for (const auto &result : {near, middle, everything})
+  {
+    EXPECT_NEAR(result.speed / far.speed, 1., 0.02);
+    EXPECT_NEAR(result.damaged / far.damaged, 1., 0.02);
+  }
 }
 } // namespace
 } // namespace ricochet::tests
