@@ -137,6 +137,14 @@ public:
     return result;
   }
 
+  std::unordered_map<std::size_t, Present> present() const
+  {
+    std::unordered_map<std::size_t, Present> result;
+    for (const auto &element : elements_)
+      result[zone_.number(element.cell)] = {element.pattern, element.tensors};
+    return result;
+  }
+
   std::vector<Finding> findings(const std::unordered_map<std::uint64_t, Tensors> &known) const
   {
     std::vector<Finding> result;
@@ -163,6 +171,7 @@ private:
     std::uint64_t pattern;
     std::array<int, 8> corner; // in nodes_
     Tensors tensors;
+    bool kept; // surroundings and tensors are those of the last time
   };
 
   void find_elements()
@@ -176,7 +185,7 @@ private:
       const auto cell = cell_at(box, mesh_.centre(element));
       if (zone_.is_slaved(cell))
         elements_.push_back(
-            {static_cast<int>(e), cell, cell_pattern(zone_, cell, box.mirror_y), {}, {}});
+            {static_cast<int>(e), cell, cell_pattern(zone_, cell, box.mirror_y), {}, {}, false});
     }
   }
 
@@ -237,7 +246,13 @@ private:
       for (int a = 0; a < 8; ++a)
         for (int c = 0; c < 3; ++c)
           residual_[element.corner[a]][c] += unit * bonds.corner[a][c];
-      if (const auto same = owner.found_.find(element.pattern); same != owner.found_.end())
+      if (const auto present = owner.present_.find(zone_.number(element.cell));
+          present != owner.present_.end() && present->second.pattern == element.pattern)
+      {
+        element.tensors = present->second.tensors;
+        element.kept    = true;
+      }
+      else if (const auto same = owner.found_.find(element.pattern); same != owner.found_.end())
         element.tensors = same->second;
       else if (const auto near = owner.similar_.find(similar(element.cell));
                near != owner.similar_.end())
@@ -280,13 +295,20 @@ private:
     }
   }
 
-  /// Elements near nodes whose force is too large.
+  /// Elements near nodes whose force is too large; to make it smaller than need be is left to nodes
+  /// of elements that are new.
   void choose_active()
   {
-    std::vector<char> marked(nodes_.size());
+    std::vector<char> marked(nodes_.size()), is_new(nodes_.size());
+    for (const auto &element : elements_)
+      if (!element.kept)
+        for (const int node : element.corner)
+          is_new[node] = 1;
+    share(is_new);
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (const auto &lanes : residual_[i])
-        marked[i] = marked[i] || lanes.abs().maxCoeff() > 0.5 * options_.tolerance;
+        marked[i] =
+            marked[i] || lanes.abs().maxCoeff() > (is_new[i] ? 0.5 : 1.) * options_.tolerance;
     std::vector<char> chosen(elements_.size());
     for (int step = 0; step < mending_range; ++step)
     {
@@ -538,6 +560,7 @@ std::vector<ElementStiffness> Calibration::find()
 
 void Calibration::remember(const LeastSquares &problem)
 {
+  present_       = problem.present();
   const auto own = problem.findings(found_);
   int n_ranks;
   MPI_Comm_size(communicator_, &n_ranks);

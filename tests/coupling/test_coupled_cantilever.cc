@@ -70,7 +70,7 @@ TEST(V11Cantilever, OfPointsAndElements)
   EXPECT_NEAR(coupled, 1., 0.03);
 }
 
-TEST(LongV11Cantilever, OfPoints)
+TEST(V11Cantilever, OfPoints)
 {
   const double points = frequency(20, 199), elements = frequency(20, 1);
   std::printf("points: %.4f, elements: %.4f of Bernoulli's frequency\n", points, elements);

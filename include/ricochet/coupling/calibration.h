@@ -12,7 +12,8 @@
 //
 // Zones grow by the same few shapes again and again. What has been found for a cell is the start
 // for all cells with the same surroundings, and only where that is not good enough is anything
-// sought.
+// sought. Cells that have kept their surroundings keep their tensors, whatever grows elsewhere: the
+// energy they hold would jump otherwise.
 //
 // All is linear in the moduli. A material whose shear modulus relaxes needs C_g of what is left in
 // the end and of the shear part one by one; if neither is negative, no sum on the way is.
@@ -53,6 +54,13 @@ private:
   using Tensors = std::array<Tensor, 8>; // of the Gauss points
   class LeastSquares;
 
+  /// What was last found for a cell of this rank.
+  struct Present
+  {
+    std::uint64_t pattern;
+    Tensors tensors;
+  };
+
   void remember(const LeastSquares &problem);
 
   MPI_Comm communicator_;
@@ -64,5 +72,6 @@ private:
   CalibrationReport report_;
   // By pattern, and by one that is less exact; the same on all ranks [M].
   std::unordered_map<std::uint64_t, Tensors> found_, similar_;
+  std::unordered_map<std::size_t, Present> present_; // by the cell's number [M]
 };
 } // namespace ricochet
