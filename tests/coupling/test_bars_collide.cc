@@ -52,8 +52,9 @@ struct HalfOfTheCrash
   std::unique_ptr<FarField> far;
 };
 
-TEST(V8Bars, TouchForTwoPassagesAndExchangeTheirVelocities)
+TEST(V8Bars, OfFourHundredSpacingsTouchForTwoPassagesAndExchangeTheirVelocities)
 {
+  // Half as long, 200 spacings, they touch 2.5 % too long: more than the 2 % that are asked for.
   constexpr int n_cells = 200, section = 3;
   const double L = 2 * n_cells * dx, v = 0.2;
   const double E = p_modulus * (1. + nu) * (1. - 2. * nu) / (1. - nu), c = std::sqrt(E / density);

@@ -79,15 +79,16 @@ private:
   double energy_ = 0., momentum_ = 0.;
 };
 
-// Masses of points and nodes come from the same sums, so that no momentum is lost. The list asks
-// for 1e-15, which the sum over a few hundred points can have; here 30 000 are summed.
-constexpr double rounding = 5e-14;
+// Asked for is 1e-15. That is not reached: up to 2.5e-14 was seen, and it is not known why.
+// Recorded, so that it does not become worse unnoticed.
+constexpr double recorded_momentum_jump = 5e-14;
 
 constexpr double horizon = 3e-3, cell = 2e-3; // [m]
 
-TEST(V22Conversion, AheadOfAPulseChangesNothing)
+TEST(V22Conversion, TwoWidthsAheadOfAPulseTheEnergyStays)
 {
-  // The column's end keeps 16 cells, 2.1 widths, ahead of the crest.
+  // The column's end keeps 16 cells, 2.1 widths, ahead of the crest. With 13 cells the tail of the
+  // pulse is converted too and costs 2.7e-6.
   CoupledPlate plate(block(25));
   Pulse pulse(plate, 5. * horizon, 9. * cell);
   double total = 0.;
@@ -107,10 +108,10 @@ TEST(V22Conversion, AheadOfAPulseChangesNothing)
   }
   EXPECT_GE(n_events, 7);
   EXPECT_LE(std::abs(total), 1e-6);
-  EXPECT_LE(pulse.momentum_jump, rounding);
+  EXPECT_LE(pulse.momentum_jump, recorded_momentum_jump);
 }
 
-TEST(V22Conversion, UnderAPulseLosesAndNeverGains)
+TEST(V22Conversion, UnderAVelocityPulseOfFiveHorizonsLosesSlightlyMoreThanAsked)
 {
   for (const double width : {2.5, 5., 10.}) // [horizons]
   {
@@ -122,12 +123,12 @@ TEST(V22Conversion, UnderAPulseLosesAndNeverGains)
       const double change = pulse.convert(25, 29);
       EXPECT_LE(change, 0.) << width << ' ' << offset;
       most = std::max(most, -change);
-      EXPECT_LE(pulse.momentum_jump, rounding);
+      EXPECT_LE(pulse.momentum_jump, recorded_momentum_jump);
     }
-    // Of the pulse's energy in the section that changes; of all its energy 0.44 times that.
+    // Of the pulse's energy in the section that changes. Asked for is 5e-3 at five horizons; a
+    // displacement pulse of that width loses 2.9e-2.
     if (width == 5.)
     {
-      EXPECT_LE(most * 64. / 144., 5e-3);
       EXPECT_NEAR(most, 5.2e-3, 0.3e-3);
     }
     if (width == 10.)

@@ -180,10 +180,12 @@ ImpactResult impact(const double horizons)
   return mean;
 }
 
-TEST(LongV23InterfacePosition, ImpactDoesNotFeelTheInterface)
+TEST(LongV23InterfacePosition, RobustImpactDoesNotFeelTheInterface)
 {
-  // A plate that breaks all over (critical stretch 0.01 instead of 0.03) does not tell: there a
-  // micrometre in the entry point changes the exit speed by 6 % without any interface.
+  // The scene was chosen after others had failed. With critical stretch 0.01, as in the scenes of
+  // prm/, speeds differ by 4.6 % and damage by 10 %; there a micrometre in the entry point changes
+  // the speed by 6 % without any interface. This says that the interface does no harm where the
+  // impact itself is robust, no more.
   const auto near = impact(4.), middle = impact(8.), far = impact(16.), everything = impact(-1.);
   for (const auto &result : {near, middle, far, everything})
     std::printf("speed %.3f m/s, damaged volume %.2f mm^3\n", result.speed, result.damaged);

