@@ -8,9 +8,11 @@
 #include "ricochet/drivers/mesh.h"
 #include "ricochet/drivers/run.h"
 #include "ricochet/drivers/several_processes.h"
+#include "ricochet/drivers/stability_run.h"
 #include "ricochet/drivers/study.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/scene/scene_reader.h"
+#include "ricochet/scene/stability_reader.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -157,9 +159,11 @@ int execute(const CLI::App &app, const Arguments &arguments)
   const MPI_Comm communicator = MPI_COMM_WORLD;
   if (app.got_subcommand("run"))
   {
-    const auto summary = run(communicator, parameter_file(arguments), arguments.run);
+    const auto file       = parameter_file(arguments);
+    const bool experiment = is_stability_file(file);
+    const auto summary    = (experiment ? run_stability : run)(communicator, file, arguments.run);
     if (!arguments.run.quiet && rank_in(communicator) == 0)
-      std::cout << describe(summary) << std::endl;
+      std::cout << (experiment ? describe_stability : describe)(summary) << std::endl;
     return summary.value("interrupted", false) ? 130 : 0;
   }
   if (app.got_subcommand("check"))

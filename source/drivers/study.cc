@@ -3,15 +3,18 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/drivers/run.h"
+#include "ricochet/drivers/stability_run.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
 #include "ricochet/output/result_directory.h"
 #include "ricochet/scene/scene_reader.h"
+#include "ricochet/scene/stability_reader.h"
 #include "ricochet/scene/study_file.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -73,10 +76,7 @@ std::string cell_text(const Json &value, const bool all_digits)
 class Table
 {
 public:
-  explicit Table(const std::vector<std::string> &columns) :
-    columns_(columns.empty() ? default_columns : columns)
-  {
-  }
+  explicit Table(const std::vector<std::string> &columns) : columns_(columns) {}
 
   void add(const std::string &name, const Json &summary, const std::string &status)
   {
@@ -145,6 +145,11 @@ private:
   std::vector<std::string> columns_;
   std::vector<std::vector<Json>> rows_;
 };
+
+bool is_experiment(const StudyCase &c)
+{
+  return is_stability_file(ParameterFile(c.scene_file, c.overrides));
+}
 } // namespace
 
 int study(const MPI_Comm communicator, const std::string &path, const StudyOptions &options)
@@ -165,7 +170,11 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
   }
   on_first_rank(communicator, [&] { make_directory(directory); });
 
-  Table table(parameters.columns);
+  // A map of stability if every case is an experiment; experiments and scenes do not share columns.
+  const auto &cases         = parameters.cases;
+  const bool is_map         = std::all_of(cases.begin(), cases.end(), is_experiment);
+  const auto &usual_columns = is_map ? stability_columns : default_columns;
+  Table table(parameters.columns.empty() ? usual_columns : parameters.columns);
   int n_failed = 0;
   for (std::size_t i = 0; i < parameters.cases.size(); ++i)
   {
@@ -182,7 +191,8 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
         RunOptions run_options;
         run_options.force = true; // an unfinished run of an earlier try may lie there
         run_options.quiet = options.quiet;
-        summary = run(communicator, ParameterFile(c.scene_file, c.overrides), run_options);
+        const ParameterFile file(c.scene_file, c.overrides);
+        summary = (is_experiment(c) ? run_stability : run)(communicator, file, run_options);
         status  = summary.value("interrupted", false) ? "interrupted" : "ok";
       }
       catch (const Error &error)
@@ -202,7 +212,10 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
     std::printf("\nThe table stands in %s.\n", (directory / "study.csv").c_str());
     std::fflush(stdout);
   }
-  if (parameters.pictures)
+  if (parameters.pictures && is_map)
+    draw_stability_map(communicator, directory / "study.csv", directory / "map.png",
+                       /*quiet=*/false);
+  else if (parameters.pictures)
     draw_study_picture(communicator, directory, /*quiet=*/false);
   return n_failed;
 }

@@ -136,6 +136,12 @@ void FiniteElementForce::set_consistent_mass(const std::vector<int> &elements)
   find_spread_momentum();
 }
 
+void FiniteElementForce::velocity_changed()
+{
+  if (spreads_mass_)
+    find_spread_momentum();
+}
+
 /// Adds (M_L - M_C) a of the elements of consistent mass. Along each axis the masses of two points
 /// in the middles of the halves of an edge couple its ends by (5 3; 3 5)/16.
 void FiniteElementForce::add_mass_difference(const std::vector<double> &acceleration,

@@ -174,4 +174,13 @@ bool draw_search_plot(const MPI_Comm comm, const std::filesystem::path &rows,
   MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
   return drawn != 0;
 }
+
+bool draw_stability_map(const MPI_Comm comm, const std::filesystem::path &table,
+                        const std::filesystem::path &picture, const bool quiet)
+{
+  int drawn = 0;
+  on_first_rank(comm, [&] { drawn = draw("plot_stability.py", {table, picture}, quiet); });
+  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
+  return drawn != 0;
+}
 } // namespace ricochet

@@ -264,6 +264,61 @@ SectionDeclaration coupling()
       {}};
 }
 
+SectionDeclaration stability()
+{
+  return {
+      "Stability",
+      "A stability experiment instead of an impact: a block of points in a box of elements, "
+      "released "
+      "from noise and left alone.",
+      {with_default("Method", choice(coupling_method_names()), "calibrated energy blend",
+                    "What ties points and elements together"),
+       with_default("Blend function", choice({"linear", "cubic"}), "cubic",
+                    "Fall of the weight over the blend; of the energy and force blends only"),
+       with_default("Blend width", quantity(Dimension::number, Limit::positive), "2",
+                    "Width of the blend in horizons; of the energy and force blends only"),
+       with_default("Mass correction", flag(), "true",
+                    "Whether the elements next to the zone get their consistent mass, to first "
+                    "order"),
+       with_default("Calibration tolerance", quantity(Dimension::number, Limit::positive), "0.001",
+                    "Largest nodal force left under a unit strain, in units of M h^2"),
+       with_default("Calibration iterations", quantity(Dimension::number, Limit::not_negative),
+                    "60", "Steps of conjugate gradients, at most"),
+       with_default("Clipping", flag(), "true",
+                    "Whether negative eigenvalues of calibrated tensors are raised to zero"),
+       with_default("Quadrature", choice({"one point", "full"}), "one point",
+                    "Integration of the elements: one point with hourglass control, or 2 x 2 x 2 "
+                    "points"),
+       with_default("Hourglass coefficient", quantity(Dimension::number, Limit::not_negative), "1",
+                    "Stiffness of the hourglass modes; 0 switches the control off"),
+       with_default("Grid spacing", quantity(Dimension::length, Limit::positive), "1 mm",
+                    "Distance between neighbouring points; elements are twice as long"),
+       with_default("Horizon ratio", quantity(Dimension::number, Limit::positive), "3",
+                    "Horizon in grid spacings, at least 2"),
+       with_default("Influence function", choice(influence_function_names()), "cone",
+                    "Weight of a bond over its length"),
+       with_default("Density", quantity(Dimension::density, Limit::positive), "1190 kg/m3",
+                    "Mass per volume"),
+       with_default("Young's modulus", quantity(Dimension::stress, Limit::positive), "6 GPa",
+                    "Young's modulus"),
+       with_default("Poisson's ratio", quantity(Dimension::number, Limit::any), "0.35",
+                    "Poisson's ratio between -1 and 0.5"),
+       with_default("Zone half-width", quantity(Dimension::number, Limit::positive), "4",
+                    "Half the edge of the block of free points, in spacings"),
+       with_default("Margin", quantity(Dimension::number, Limit::positive), "4",
+                    "Elements around all points, in spacings"),
+       with_default("Limit", choice({"measured", "predicted"}), "measured",
+                    "Largest stable step: measured by power iteration of the body, or predicted "
+                    "from plane waves in lattice and elements"),
+       with_default("Time step", quantity(Dimension::number, Limit::positive), "0.9",
+                    "Time step in units of the limit"),
+       with_default("Steps", quantity(Dimension::number, Limit::positive), "2000",
+                    "Number of time steps"),
+       with_default("Jitter", quantity(Dimension::number, Limit::not_negative), "0",
+                    "Random displacement of all points and nodes at the start, in spacings")},
+      {}};
+}
+
 SectionDeclaration contact()
 {
   // Every law needs the static coefficient; Coulomb's constant law needs nothing else.
@@ -357,6 +412,24 @@ std::vector<SectionDeclaration> scene_declarations(const std::string &stem,
   return sections;
 }
 
+std::vector<SectionDeclaration> stability_declarations(const std::string &stem)
+{
+  return {
+      {"",
+       "",
+       {named_after_file("Title", text("any text"), stem, "A stability experiment",
+                         "What the experiment is called in its results, by default like the "
+                         "file")},
+       {}},
+      stability(),
+      {"Output",
+       "Where the results go.",
+       {named_after_file("Directory", text("a folder, relative to where the program is started"),
+                         "output/" + stem, "output/stability",
+                         "Where the results go, by default output/ and the file's name")},
+       {}}};
+}
+
 std::vector<SectionDeclaration> study_declarations(const std::string &stem)
 {
   SectionDeclaration study{
@@ -378,9 +451,9 @@ std::vector<SectionDeclaration> study_declarations(const std::string &stem)
        with_default("Pictures", flag(), "true",
                     "Whether a comparison of the first eight cases is drawn at the end")},
       {}};
-  for (char number = '1'; number <= '9'; ++number)
+  for (int number = 1; number <= most_axes; ++number)
     study.entries.push_back(optional(
-        std::string("Axis ") + number, text("Section/Entry: value | value"),
+        "Axis " + std::to_string(number), text("Section/Entry: value | value"),
         "Plate 1/Grid spacing: 1.5 mm | 1.0 mm", "An entry of the scenes and the values it takes"));
   return {study};
 }

@@ -7,6 +7,7 @@
 #include "ricochet/scene/mesh_file.h"
 #include "ricochet/scene/parameter_writer.h"
 #include "ricochet/scene/parameters.h"
+#include "ricochet/scene/stability_reader.h"
 #include "ricochet/scene/text_tools.h"
 
 #include <algorithm>
@@ -71,6 +72,10 @@ std::vector<SectionDeclaration> sections_of(const ParameterFile &file)
       throw InputError(section.origin +
                        ": This file describes a study, not a scene.\n  Run it with 'ricochet "
                        "study'.");
+    if (section.in_file && section.name == "Stability")
+      throw InputError(section.origin +
+                       ": This file describes a stability experiment, not a scene.\n  Run it with "
+                       "'ricochet run'.");
     if (section.in_file && section.name.rfind(prefix, 0) == 0)
       materials.push_back(section.name.substr(prefix.size()));
   }
@@ -495,7 +500,10 @@ Scene read_scene(const ParameterFile &file)
 
 void write_used_parameters(const ParameterFile &file, std::ostream &out)
 {
-  write_parameters(Parameters(file, sections_of(file)), out);
+  const auto stem = std::filesystem::path(file.path()).stem().string();
+  write_parameters(
+      Parameters(file, is_stability_file(file) ? stability_declarations(stem) : sections_of(file)),
+      out);
 }
 
 void print_template(std::ostream &out)

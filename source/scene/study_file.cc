@@ -4,6 +4,7 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/scene/parameters.h"
 #include "ricochet/scene/scene_reader.h"
+#include "ricochet/scene/stability_reader.h"
 #include "ricochet/scene/text_tools.h"
 
 #include <algorithm>
@@ -136,7 +137,11 @@ void check_case(const StudyCase &one)
 {
   try
   {
-    read_scene(ParameterFile(one.scene_file, one.overrides));
+    const ParameterFile file(one.scene_file, one.overrides);
+    if (is_stability_file(file))
+      read_stability(file);
+    else
+      read_scene(file);
   }
   catch (const InputError &error) // the scene does not know that it is part of a study
   {
@@ -162,8 +167,8 @@ StudyParameters read_study(const std::string &path)
   study.columns          = read_list(parameters, "Columns");
   study.one_at_a_time    = parameters.text(section, "Combine") == "one at a time";
   study.pictures         = parameters.flag(section, "Pictures");
-  for (char number = '1'; number <= '9'; ++number)
-    if (const std::string name = std::string("Axis ") + number; parameters.is_given(section, name))
+  for (int number = 1; number <= most_axes; ++number)
+    if (const auto name = "Axis " + std::to_string(number); parameters.is_given(section, name))
       study.axes.push_back(read_axis(parameters, name));
 
   for (const auto &scene : read_list(parameters, "Scenes"))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Every parameter file of the project is read: scenes as scenes, studies as studies.
 #include "ricochet/scene/scene_reader.h"
+#include "ricochet/scene/stability_reader.h"
 #include "ricochet/scene/study_file.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ bool is_study(const std::string &path)
 
 TEST(PrmFiles, EveryFileIsReadWithoutError)
 {
-  unsigned int n_scenes = 0, n_studies = 0;
+  unsigned int n_scenes = 0, n_studies = 0, n_experiments = 0;
   for (const auto &entry : std::filesystem::recursive_directory_iterator(prm_folder))
     if (entry.path().extension() == ".prm")
     {
@@ -33,6 +34,11 @@ TEST(PrmFiles, EveryFileIsReadWithoutError)
         ++n_studies;
         EXPECT_NO_THROW(read_study(path)) << path;
       }
+      else if (is_stability_file(ParameterFile(path)))
+      {
+        ++n_experiments;
+        EXPECT_NO_THROW(read_stability(ParameterFile(path))) << path;
+      }
       else
       {
         ++n_scenes;
@@ -41,6 +47,7 @@ TEST(PrmFiles, EveryFileIsReadWithoutError)
     }
   EXPECT_GE(n_scenes, 8U); // quickstart and the single plate
   EXPECT_GE(n_studies, 1U);
+  EXPECT_GE(n_experiments, 4U);
 }
 
 TEST(PrmFiles, SinglePlateSeriesChangesOneThingPerFile)

@@ -111,6 +111,9 @@ public:
   /// sum of all forces stays as it is, because the rows of both mass matrices have the same sums.
   /// Collective.
   void set_consistent_mass(const std::vector<int> &elements);
+  /// Call after velocity() was set from outside: the momentum that belongs to it under the
+  /// consistent mass is kept, too. Collective.
+  void velocity_changed();
 
   /// The node keeps its velocity along this axis, zero unless set otherwise; its force is then the
   /// reaction. `node` is local; on ranks that do not own it the call does nothing.

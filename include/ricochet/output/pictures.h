@@ -23,4 +23,9 @@ bool draw_study_picture(MPI_Comm comm, const std::filesystem::path &directory, b
 /// --json`, one JSON object per line. Collective.
 bool draw_search_plot(MPI_Comm comm, const std::filesystem::path &rows,
                       const std::filesystem::path &picture, bool quiet);
+
+/// The same with plot_stability.py: draws the PNG `picture` from the study.csv of a study of
+/// stability experiments. Collective.
+bool draw_stability_map(MPI_Comm comm, const std::filesystem::path &table,
+                        const std::filesystem::path &picture, bool quiet);
 } // namespace ricochet

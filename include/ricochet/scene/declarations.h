@@ -54,6 +54,12 @@ struct SectionDeclaration
 std::vector<SectionDeclaration> scene_declarations(const std::string &stem, unsigned int n_plates,
                                                    const std::vector<std::string> &materials);
 
+/// The sections of a stability experiment; stem as above.
+std::vector<SectionDeclaration> stability_declarations(const std::string &stem);
+
+/// A study may have the entries Axis 1 to Axis most_axes.
+constexpr int most_axes = 20;
+
 /// The one section of a study; stem as above.
 std::vector<SectionDeclaration> study_declarations(const std::string &stem);
 } // namespace ricochet

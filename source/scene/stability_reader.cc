@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/scene/stability_reader.h"
+
+#include "ricochet/scene/parameters.h"
+#include "ricochet/scene/text_tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace ricochet
+{
+namespace
+{
+constexpr const char *section = "Stability";
+
+/// Lengths in spacings that cells of two points must fill.
+int even_number(const Parameters &parameters, const std::string &name, const int smallest,
+                const int largest)
+{
+  const double value = parameters.quantity(section, name);
+  const int number   = static_cast<int>(std::lround(value));
+  if (number != value || number % 2 != 0 || number < smallest || number > largest)
+    parameters.fail(section, name, "Elements are two spacings long.",
+                    "Choose an even number of spacings from " + std::to_string(smallest) + " to " +
+                        std::to_string(largest) + ".");
+  return number;
+}
+} // namespace
+
+bool is_stability_file(const ParameterFile &file)
+{
+  const auto &sections = file.sections();
+  return std::any_of(sections.begin(), sections.end(),
+                     [](const auto &present)
+                     { return present.in_file && present.name == section; });
+}
+
+StabilityParameters read_stability(const ParameterFile &file)
+{
+  const Parameters parameters(
+      file, stability_declarations(std::filesystem::path(file.path()).stem().string()));
+  const auto number = [&](const std::string &name) { return parameters.quantity(section, name); };
+
+  StabilityParameters result;
+  result.title     = parameters.text("", "Title");
+  result.directory = parameters.text("Output", "Directory");
+  auto &coupling   = result.coupling;
+  for (const auto &method : coupling_methods)
+    if (method.name == parameters.text(section, "Method"))
+      coupling.method = method.method;
+  coupling.blend = parameters.text(section, "Blend function") == "linear" ? BlendFunction::linear
+                                                                          : BlendFunction::cubic;
+  coupling.blend_width           = number("Blend width");
+  coupling.correct_mass          = parameters.flag(section, "Mass correction");
+  coupling.calibration.clip      = parameters.flag(section, "Clipping");
+  coupling.calibration.tolerance = number("Calibration tolerance");
+  coupling.calibration.n_iterations =
+      static_cast<int>(std::lround(number("Calibration iterations")));
+  result.full_quadrature       = parameters.text(section, "Quadrature") == "full";
+  result.hourglass_coefficient = number("Hourglass coefficient");
+
+  result.spacing       = number("Grid spacing");
+  result.horizon_ratio = number("Horizon ratio");
+  for (const auto &function : influence_functions)
+    if (function.name == parameters.text(section, "Influence function"))
+      result.influence = function.function;
+  result.density        = number("Density");
+  result.youngs_modulus = number("Young's modulus");
+  result.poisson_ratio  = number("Poisson's ratio");
+  result.half_width     = even_number(parameters, "Zone half-width", 2, 40);
+  result.margin         = even_number(parameters, "Margin", 2, 40);
+
+  result.limit =
+      parameters.text(section, "Limit") == "predicted" ? StepLimit::predicted : StepLimit::measured;
+  result.time_step = number("Time step");
+  result.n_steps   = static_cast<int>(std::lround(number("Steps")));
+  result.jitter    = number("Jitter");
+
+  if (!(result.poisson_ratio > -1. && result.poisson_ratio < 0.5))
+    parameters.fail(section, "Poisson's ratio",
+                    "No stable isotropic solid has this Poisson's ratio.",
+                    "Choose a value between -1 and 0.5, both excluded.");
+  if (result.horizon_ratio < 2. || result.horizon_ratio > 8.)
+    parameters.fail(section, "Horizon ratio", "The horizon has 2 to 8 spacings.",
+                    "Choose such a number; 3 is usual.");
+  if (coupling.blend_width > 10.)
+    parameters.fail(section, "Blend width", "The blend may be at most 10 horizons wide.",
+                    "Choose a smaller number; 2 is usual.");
+  if (result.n_steps < 100 || result.n_steps > 1000000)
+    parameters.fail(section, "Steps", "Growth shows in 100 to 1000000 steps.",
+                    "Choose such a number; 2000 is usual.");
+  if (result.jitter > 0.3)
+    parameters.fail(section, "Jitter", "Points would pass each other.",
+                    "Choose at most 0.3 spacings.");
+  return result;
+}
+} // namespace ricochet
