@@ -65,7 +65,7 @@ std::vector<Lattice::BlockRange> ranges_of_blocks(const std::vector<std::uint8_t
 Lattice::Lattice(const Box &box, const Stencil &stencil, const int rank, const int n_ranks,
                  const Mask &mask, const Zone *const zone) :
   box_(box),
-  stencil_(stencil), mask_(mask), zone_(zone), full_(true)
+  stencil_(stencil), mask_(mask), zone_(zone)
 {
   mirror_layers_ = box.mirror_y ? stencil.reach : 0;
   if (box.mirror_y && box.n[1] < stencil.reach)
@@ -150,7 +150,6 @@ void Lattice::find_ranges()
   owned_ranges_    = ranges_of_blocks(owned_);
   n_owned_points_  = 0;
   for_each_owned([&](std::ptrdiff_t) { ++n_owned_points_; });
-  full_ = n_owned_points_ == static_cast<std::int64_t>(n_planes_) * box_.n[1] * box_.n[2];
 }
 
 void Lattice::follow_zone(const int first, const int last)

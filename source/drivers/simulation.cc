@@ -224,7 +224,10 @@ void Simulation::evaluate(const bool energy)
   {
     plates_[i]->update_ghosts();
     if (zone_watches_[i] && zone_watches_[i]->update(time_, dt_))
+    {
       plates_[i]->update_ghosts();
+      debris_->bodies_changed();
+    }
     plates_[i]->evaluate(/*breaking=*/true, energy);
     fractures_[i].record(dt_);
     const auto part = projectile_->touch(i, *plates_[i]);

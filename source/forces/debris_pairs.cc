@@ -101,21 +101,6 @@ private:
   double size_; // [m]
   std::vector<char> marked_;
 };
-
-/// Calls visit(flat index, lattice coordinates) for the points of this rank, in ascending order.
-template <class Visitor>
-void for_each_owned(const Lattice &lattice, Visitor &&visit)
-{
-  const auto &n = lattice.box().n;
-  for (int x = lattice.first_plane(); x < lattice.first_plane() + lattice.n_planes(); ++x)
-    for (int z = 0; z < n[2]; ++z)
-    {
-      const std::ptrdiff_t row = lattice.index(x, 0, z);
-      for (int y = 0; y < n[1]; ++y)
-        if (lattice.owned(row + y))
-          visit(row + y, std::array<int, 3>{x, y, z});
-    }
-}
 } // namespace
 
 DebrisPairs::DebrisPairs(const MPI_Comm communicator, const Bodies &bodies, const bool mirrored,
@@ -148,7 +133,7 @@ void DebrisPairs::list_pairs(const double dt)
 {
   std::vector<ContactPoint> astray;
   int n_astray = most_strays + 1;
-  if (n_searches_ > 0)
+  if (n_searches_ > 0 && !bodies_changed_)
   {
     astray   = strays(dt);
     n_astray = static_cast<int>(std::min<std::size_t>(astray.size(), most_strays + 1));
@@ -197,7 +182,7 @@ std::vector<ContactPoint> DebrisPairs::strays(const double dt)
     };
     // Counted first: this runs over all points at every step, and a sum needs no branches.
     const auto n = static_cast<std::ptrdiff_t>(journey.reach.size());
-    for (std::ptrdiff_t first = 0; first < n; first += chunk)
+    for (const std::ptrdiff_t first : journey.occupied)
     {
       const std::ptrdiff_t last = std::min(n, first + chunk);
       int n_left                = 0;
@@ -249,6 +234,7 @@ void DebrisPairs::append_broken()
 void DebrisPairs::search_all(const double dt)
 {
   ++n_searches_;
+  bodies_changed_ = false;
   for (auto &pairs : bond_pairs_)
     pairs.clear();
   foreign_pairs_.clear();
@@ -379,8 +365,11 @@ void DebrisPairs::begin_journeys(const double dt)
       start.assign(n, std::numeric_limits<double>::quiet_NaN());
     journey.reach.assign(n, 0.);
     journey.boxes.assign((n + chunk - 1) / chunk, nowhere);
-    for_each_owned(l, [&](const std::ptrdiff_t p, const std::array<int, 3> &)
-                   { start_journey(i, p, dt); });
+    l.for_each_owned([&](const std::ptrdiff_t p) { start_journey(i, p, dt); });
+    journey.occupied.clear();
+    for (std::size_t c = 0; c < journey.boxes.size(); ++c)
+      if (journey.boxes[c].low[0] <= journey.boxes[c].high[0])
+        journey.occupied.push_back(static_cast<std::ptrdiff_t>(c) * chunk);
     mark_active_near_damage(i);
   }
   if (bodies_.size() == 1)
@@ -477,20 +466,20 @@ void DebrisPairs::add_own_points(ContactCandidates &candidates) const
 {
   CoarseCells cells(4. * spacing_);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
-    for_each_owned(bodies_[i]->lattice(),
-                   [&](const std::ptrdiff_t p, const std::array<int, 3> &)
-                   {
-                     const auto &journey     = journeys_[i];
-                     const std::ptrdiff_t at = p - bodies_[i]->lattice().owned_begin();
-                     if (!journey.active[at])
-                       return;
-                     const double margin = range_ + journey.reach[at];
-                     Vector3 x(journey.start[0][at], journey.start[1][at], journey.start[2][at]);
-                     cells.mark(x, margin);
-                     x.y() *= -1.;
-                     if (mirrored_)
-                       cells.mark(x, margin);
-                   });
+    bodies_[i]->lattice().for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          const auto &journey     = journeys_[i];
+          const std::ptrdiff_t at = p - bodies_[i]->lattice().owned_begin();
+          if (!journey.active[at])
+            return;
+          const double margin = range_ + journey.reach[at];
+          Vector3 x(journey.start[0][at], journey.start[1][at], journey.start[2][at]);
+          cells.mark(x, margin);
+          x.y() *= -1.;
+          if (mirrored_)
+            cells.mark(x, margin);
+        });
   cells.join(communicator_);
 
   for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -500,27 +489,26 @@ void DebrisPairs::add_own_points(ContactCandidates &candidates) const
     std::vector<char> worth_a_look(journey.boxes.size());
     for (std::size_t c = 0; c < journey.boxes.size(); ++c)
       worth_a_look[c] = cells.any_marked(journey.boxes[c].low, journey.boxes[c].high);
-    for_each_owned(l,
-                   [&](const std::ptrdiff_t p, const std::array<int, 3> &place)
-                   {
-                     const std::ptrdiff_t at = p - l.owned_begin();
-                     if (!worth_a_look[at / chunk])
-                       return;
-                     if (!journey.active[at])
-                     {
-                       double low[3], high[3];
-                       for (int d = 0; d < 3; ++d)
-                       {
-                         low[d]  = journey.start[d][at] - journey.reach[at];
-                         high[d] = journey.start[d][at] + journey.reach[at];
-                       }
-                       if (!cells.any_marked(low, high))
-                         return;
-                     }
-                     candidates.points.push_back(contact_point(i, p, place));
-                     candidates.points.back().number =
-                         static_cast<std::int32_t>(candidates.points.size() - 1);
-                   });
+    l.for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          const std::ptrdiff_t at = p - l.owned_begin();
+          if (!worth_a_look[at / chunk])
+            return;
+          if (!journey.active[at])
+          {
+            double low[3], high[3];
+            for (int d = 0; d < 3; ++d)
+            {
+              low[d]  = journey.start[d][at] - journey.reach[at];
+              high[d] = journey.start[d][at] + journey.reach[at];
+            }
+            if (!cells.any_marked(low, high))
+              return;
+          }
+          candidates.points.push_back(contact_point(i, p, l.coordinates(p)));
+          candidates.points.back().number = static_cast<std::int32_t>(candidates.points.size() - 1);
+        });
   }
   candidates.n_own = candidates.points.size();
 }

@@ -26,54 +26,55 @@ ProjectileContact::Reaction ProjectileContact::evaluate(const RigidBody &project
   sums_.clear();
   touches_.clear();
 
-  for (std::ptrdiff_t p = lattice.owned_begin(); p < lattice.owned_end(); ++p)
-  {
-    // The first three comparisons dismiss nearly all points.
-    if (a.position[0][p] < first.x() || a.position[0][p] > last.x() ||
-        a.position[2][p] < first.z() || a.position[2][p] > last.z() ||
-        a.position[1][p] < first.y() || a.position[1][p] > last.y() || !lattice.owned(p))
-      continue;
-    const Vector3 x(a.position[0][p], a.position[1][p], a.position[2][p]);
-    const auto hit     = projectile.hit(x);
-    const double depth = radius - hit.distance;
-    if (depth <= 0.)
-      continue;
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        // The first three comparisons dismiss nearly all points.
+        if (a.position[0][p] < first.x() || a.position[0][p] > last.x() ||
+            a.position[2][p] < first.z() || a.position[2][p] > last.z() ||
+            a.position[1][p] < first.y() || a.position[1][p] > last.y())
+          return;
+        const Vector3 x(a.position[0][p], a.position[1][p], a.position[2][p]);
+        const auto hit     = projectile.hit(x);
+        const double depth = radius - hit.distance;
+        if (depth <= 0.)
+          return;
 
-    const Vector3 velocity(a.velocity[0][p], a.velocity[1][p], a.velocity[2][p]);
-    const Vector3 relative = velocity - projectile.velocity_at(x);
-    const Vector3 sliding  = relative - relative.dot(hit.normal) * hit.normal;
-    const double speed     = sliding.norm();
-    // Below the regularisation speed v_t/|v_t| is replaced by v_t/v_reg: a force that does not jump
-    // with its sign.
-    const Vector3 against  = -sliding / std::max(speed, parameters_.regularisation_speed);
-    const double mu        = law_.coefficient(speed);
-    const double pressure  = parameters_.stiffness * depth;
-    const Vector3 normal   = pressure * hit.normal;
-    const Vector3 friction = mu * pressure * against;
-    const Vector3 shank    = hit.surface == BodyOfRevolution::Surface::shank
-                                 ? Vector3(mu * parameters_.shank_force * against)
-                                 : Vector3(Vector3::Zero());
-    const Vector3 total    = normal + friction + shank;
-    for (int d = 0; d < 3; ++d)
-      a.force[d][p] += total[d];
-    touches_.push_back({p, friction + shank, velocity});
+        const Vector3 velocity(a.velocity[0][p], a.velocity[1][p], a.velocity[2][p]);
+        const Vector3 relative = velocity - projectile.velocity_at(x);
+        const Vector3 sliding  = relative - relative.dot(hit.normal) * hit.normal;
+        const double speed     = sliding.norm();
+        // Below the regularisation speed v_t/|v_t| is replaced by v_t/v_reg: a force that does not
+        // jump with its sign.
+        const Vector3 against  = -sliding / std::max(speed, parameters_.regularisation_speed);
+        const double mu        = law_.coefficient(speed);
+        const double pressure  = parameters_.stiffness * depth;
+        const Vector3 normal   = pressure * hit.normal;
+        const Vector3 friction = mu * pressure * against;
+        const Vector3 shank    = hit.surface == BodyOfRevolution::Surface::shank
+                                     ? Vector3(mu * parameters_.shank_force * against)
+                                     : Vector3(Vector3::Zero());
+        const Vector3 total    = normal + friction + shank;
+        for (int d = 0; d < 3; ++d)
+          a.force[d][p] += total[d];
+        touches_.push_back({p, friction + shank, velocity});
 
-    const Vector3 arm             = x - projectile.motion().position;
-    const Vector3 moment          = -arm.cross(total);
-    const Vector3 friction_moment = -arm.cross(friction + shank);
-    auto &sum                     = sums_[lattice.plane_of(p)];
-    for (int d = 0; d < 3; ++d)
-    {
-      sum[d] -= normal[d];
-      sum[3 + d] -= friction[d];
-      sum[6 + d] -= shank[d];
-      sum[9 + d] += moment[d];
-      sum[12 + d] += friction_moment[d];
-    }
-    sum[15] += 0.5 * pressure * depth;
-    sum[16] += 1.;
-    deepest = std::max(deepest, depth);
-  }
+        const Vector3 arm             = x - projectile.motion().position;
+        const Vector3 moment          = -arm.cross(total);
+        const Vector3 friction_moment = -arm.cross(friction + shank);
+        auto &sum                     = sums_[lattice.plane_of(p)];
+        for (int d = 0; d < 3; ++d)
+        {
+          sum[d] -= normal[d];
+          sum[3 + d] -= friction[d];
+          sum[6 + d] -= shank[d];
+          sum[9 + d] += moment[d];
+          sum[12 + d] += friction_moment[d];
+        }
+        sum[15] += 0.5 * pressure * depth;
+        sum[16] += 1.;
+        deepest = std::max(deepest, depth);
+      });
 
   const auto sum = sums_.total(communicator_);
   MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, communicator_);

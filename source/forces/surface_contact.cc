@@ -89,76 +89,78 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
   loads_.clear();
   touches_.clear();
   deepest_ = 0.;
-  for (std::ptrdiff_t p = lattice.owned_begin(); p < lattice.owned_end(); ++p)
-  {
-    if (a.position[0][p] < first.x() || a.position[0][p] > last.x() ||
-        a.position[2][p] < first.z() || a.position[2][p] > last.z() ||
-        a.position[1][p] < first.y() || a.position[1][p] > last.y() || !lattice.owned(p))
-      continue;
-    Vector3 x = at(a.position, p), velocity = at(a.velocity, p);
-    const bool crossed = mirrored && x.y() < 0.;
-    if (crossed)
-    {
-      x.y()        = -x.y();
-      velocity.y() = -velocity.y();
-    }
-    FacetedSurface::Hit hit;
-    if (!surface.hit(x, hit))
-    {
-      if (!std::binary_search(were_deep.begin(), were_deep.end(), p))
-        continue;
-      hit = surface.nearest(x);
-    }
-    const double depth = radius - hit.distance;
-    if (depth <= 0.)
-      continue;
-    if (depth > radius) // its centre is inside
-      deep_.push_back(p);
-
-    const Tangents tangents(surface, hit);
-    const auto &quad = surface.faces()[hit.face];
-    Eigen::Vector2d sliding;
-    for (int i = 0; i < 2; ++i)
-    {
-      sliding[i] = velocity.dot(tangents.direction[i]);
-      for (int node = 0; node < 4; ++node)
-        sliding[i] -= tangents.on_node[i][node].dot(at(body.velocity, quad[node]));
-    }
-    const double speed            = sliding.norm();
-    const Eigen::Vector2d against = -sliding / std::max(speed, parameters_.regularisation_speed);
-    const double mu               = law_.coefficient(speed);
-    const double pressure         = parameters_.stiffness * depth;
-    const double shank            = is_shank_[hit.face] ? mu * parameters_.shank_force : 0.;
-    const Eigen::Vector2d drag    = (mu * pressure + shank) * against;
-
-    const auto in_space = [&](const Eigen::Vector2d &f) -> Vector3
-    { return f[0] * tangents.direction[0] + f[1] * tangents.direction[1]; };
-    Vector3 friction = in_space(drag), total = pressure * hit.normal + friction;
-    if (crossed)
-      for (Vector3 *v : {&friction, &total})
-        v->y() = -v->y();
-    for (int d = 0; d < 3; ++d)
-      a.force[d][p] += total[d];
-    touches_.push_back({p, friction, at(a.velocity, p)});
-
-    Load load;
-    load.face           = hit.face;
-    load.energy         = 0.5 * pressure * depth;
-    const Vector3 slide = in_space(mu * pressure * against), along = in_space(shank * against);
-    for (int d = 0; d < 3; ++d)
-    {
-      load.sliding[d] = -slide[d];
-      load.shank[d]   = -along[d];
-      for (int node = 0; node < 4; ++node)
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
       {
-        load.normal[3 * node + d] = -hit.weights[node] * pressure * hit.normal[d];
-        load.friction[3 * node + d] =
-            -drag[0] * tangents.on_node[0][node][d] - drag[1] * tangents.on_node[1][node][d];
-      }
-    }
-    loads_.push_back(load);
-    deepest_ = std::max(deepest_, depth);
-  }
+        if (a.position[0][p] < first.x() || a.position[0][p] > last.x() ||
+            a.position[2][p] < first.z() || a.position[2][p] > last.z() ||
+            a.position[1][p] < first.y() || a.position[1][p] > last.y())
+          return;
+        Vector3 x = at(a.position, p), velocity = at(a.velocity, p);
+        const bool crossed = mirrored && x.y() < 0.;
+        if (crossed)
+        {
+          x.y()        = -x.y();
+          velocity.y() = -velocity.y();
+        }
+        FacetedSurface::Hit hit;
+        if (!surface.hit(x, hit))
+        {
+          if (!std::binary_search(were_deep.begin(), were_deep.end(), p))
+            return;
+          hit = surface.nearest(x);
+        }
+        const double depth = radius - hit.distance;
+        if (depth <= 0.)
+          return;
+        if (depth > radius) // its centre is inside
+          deep_.push_back(p);
+
+        const Tangents tangents(surface, hit);
+        const auto &quad = surface.faces()[hit.face];
+        Eigen::Vector2d sliding;
+        for (int i = 0; i < 2; ++i)
+        {
+          sliding[i] = velocity.dot(tangents.direction[i]);
+          for (int node = 0; node < 4; ++node)
+            sliding[i] -= tangents.on_node[i][node].dot(at(body.velocity, quad[node]));
+        }
+        const double speed = sliding.norm();
+        const Eigen::Vector2d against =
+            -sliding / std::max(speed, parameters_.regularisation_speed);
+        const double mu            = law_.coefficient(speed);
+        const double pressure      = parameters_.stiffness * depth;
+        const double shank         = is_shank_[hit.face] ? mu * parameters_.shank_force : 0.;
+        const Eigen::Vector2d drag = (mu * pressure + shank) * against;
+
+        const auto in_space = [&](const Eigen::Vector2d &f) -> Vector3
+        { return f[0] * tangents.direction[0] + f[1] * tangents.direction[1]; };
+        Vector3 friction = in_space(drag), total = pressure * hit.normal + friction;
+        if (crossed)
+          for (Vector3 *v : {&friction, &total})
+            v->y() = -v->y();
+        for (int d = 0; d < 3; ++d)
+          a.force[d][p] += total[d];
+        touches_.push_back({p, friction, at(a.velocity, p)});
+
+        Load load;
+        load.face           = hit.face;
+        load.energy         = 0.5 * pressure * depth;
+        const Vector3 slide = in_space(mu * pressure * against), along = in_space(shank * against);
+        for (int d = 0; d < 3; ++d)
+        {
+          load.sliding[d] = -slide[d];
+          load.shank[d]   = -along[d];
+          for (int node = 0; node < 4; ++node)
+          {
+            load.normal[3 * node + d] = -hit.weights[node] * pressure * hit.normal[d];
+            load.friction[3 * node + d] =
+                -drag[0] * tangents.on_node[0][node][d] - drag[1] * tangents.on_node[1][node][d];
+          }
+        }
+        loads_.push_back(load);
+        deepest_ = std::max(deepest_, depth);
+      });
 }
 
 std::vector<SurfaceContact::Load> SurfaceContact::gather() const

@@ -51,7 +51,6 @@ public:
 
   const Box &box() const { return box_; }
   const Stencil &stencil() const { return stencil_; }
-  bool full() const { return full_; } // no point is masked out
 
   std::ptrdiff_t plane_stride() const { return plane_stride_; }
   std::ptrdiff_t row_stride() const { return row_stride_; }
@@ -123,7 +122,6 @@ private:
   Stencil stencil_;
   Mask mask_;
   const Zone *zone_;
-  bool full_;
   int mirror_layers_;
   std::vector<int> plane_starts_;
   int first_plane_, n_planes_;

@@ -59,6 +59,8 @@ public:
   /// ghosts must be. `dt`: the coming step [s], which tells how far points may get before the pairs
   /// are searched again. Collective.
   void update(double dt);
+  /// Points have appeared: the next update searches all.
+  void bodies_changed() { bodies_changed_ = true; }
 
   // The lists: pairs that touch and others; some may stand there twice.
   const std::vector<BondPair> &bond_pairs(const std::size_t body) const
@@ -87,7 +89,8 @@ private:
     std::vector<double> start[3]; // [m], from the first owned entry on; NaN where there is no point
     std::vector<double> reach;    // [m]
     std::vector<char> active;
-    std::vector<Box> boxes; // of `chunk` entries each: the points in them stay inside
+    std::vector<Box> boxes;               // of `chunk` entries each: the points in them stay inside
+    std::vector<std::ptrdiff_t> occupied; // first entries of the chunks with any point
   };
   /// A pair that may become one of the lists: a point of this rank and any other.
   struct NewPair
@@ -127,6 +130,7 @@ private:
   double spacing_, range_; // the largest dx and d of all bodies [m]
   std::unique_ptr<ContactSearch> search_;
 
+  bool bodies_changed_ = false;
   long n_searches_ = 0, n_single_searches_ = 0;
   std::vector<Journey> journeys_;                 // per body
   std::vector<std::vector<BondPair>> bond_pairs_; // per body; some may be listed twice
