@@ -74,12 +74,13 @@ Lattice::Lattice(const Box &box, const Stencil &stencil, const int rank, const i
         " points lie between the symmetry plane and the plate's edge; the horizon needs " +
         std::to_string(stencil.reach) + ". Widen the plate or refine the grid spacing.");
   const int n_planes_all = box.n[0];
-  if (n_ranks > 1 && n_planes_all / n_ranks < stencil.reach + (zone ? Zone::points_per_edge : 0))
-    throw InputError("A plate of " + std::to_string(n_planes_all) +
-                     " lattice planes cannot be shared by " + std::to_string(n_ranks) +
-                     " ranks: each must own at least " + std::to_string(stencil.reach) +
-                     " planes. Use at most " +
-                     std::to_string(std::max(1, n_planes_all / stencil.reach)) + " ranks.");
+  // Cells of a zone are not cut: shares may be smaller than the mean by one of them.
+  const int least        = stencil.reach + (zone ? Zone::points_per_edge : 0);
+  if (n_ranks > 1 && n_planes_all / n_ranks < least)
+    throw InputError(
+        "A plate of " + std::to_string(n_planes_all) + " lattice planes cannot be shared by " +
+        std::to_string(n_ranks) + " ranks: each must own at least " + std::to_string(least) +
+        " planes. Use at most " + std::to_string(std::max(1, n_planes_all / least)) + " ranks.");
   plane_starts_ = share_planes(n_planes_all, n_ranks, stencil.reach, zone);
   first_plane_  = plane_starts_[rank];
   n_planes_     = plane_starts_[rank + 1] - first_plane_;

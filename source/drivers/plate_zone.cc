@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/drivers/plate_zone.h"
 
+#include "ricochet/base/exceptions.h"
 #include "ricochet/coupling/zone_choice.h"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace ricochet
 {
 namespace
 {
-constexpr int most_levels = 2;
+constexpr int most_levels      = 2;
+// More would be another plate [-].
+constexpr double most_rounding = 0.05;
 
 int rounded(const double length, const double spacing, const int multiple)
 {
@@ -55,9 +59,27 @@ std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &pla
 {
   const int multiple =
       scene.zone.has_elements() ? Zone::points_per_edge << coarsening_levels(scene, plate) : 1;
-  const double width = scene.symmetric ? plate.width / 2. : plate.width;
-  return {rounded(plate.length, plate.spacing, multiple), rounded(width, plate.spacing, multiple),
-          rounded(plate.thickness, plate.spacing, multiple)};
+  const double asked[3] = {plate.length, scene.symmetric ? plate.width / 2. : plate.width,
+                           plate.thickness};
+  const char *axis[3]   = {"length", scene.symmetric ? "half width" : "width", "thickness"};
+  std::array<int, 3> n;
+  for (int d = 0; d < 3; ++d)
+  {
+    n[d] = rounded(asked[d], plate.spacing, multiple);
+    // Without elements a plate is at most half a spacing off, and that is the grid's business.
+    if (scene.zone.has_elements() &&
+        std::abs(n[d] * plate.spacing - asked[d]) > most_rounding * asked[d])
+    {
+      std::ostringstream message;
+      message << "The " << axis[d] << " of a plate, " << 1e3 * asked[d] << " mm, would become "
+              << 1e3 * n[d] * plate.spacing << " mm to be filled with finite elements of "
+              << 1e3 * multiple * plate.spacing << " mm; at most " << 100. * most_rounding
+              << " % are tolerated. Choose a multiple of " << 1e3 * multiple * plate.spacing
+              << " mm, a smaller 'Grid spacing' or fewer 'Coupling/Coarsening levels'.";
+      throw InputError(message.str());
+    }
+  }
+  return n;
 }
 
 PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lattice::Box &box,

@@ -3,6 +3,8 @@
 #include "coupled_plate.h"
 #include "coupled_scene.h"
 
+#include "ricochet/base/exceptions.h"
+
 #include <gtest/gtest.h>
 
 namespace ricochet::tests
@@ -51,8 +53,6 @@ TEST(PlateZone, LatticeWithElementsIsAMultipleOfTheLargest)
   EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{134, 66, 20}));
   scene.zone.coarsening_levels = 1; // of 4
   EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{132, 68, 20}));
-  scene.zone.coarsening_levels = 2; // of 8
-  EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{136, 64, 24}));
   // 20 points are 10 cells through the thickness: cubes can double once.
   scene.zone.coarsening_levels = -1;
   EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{132, 68, 20}));
@@ -60,8 +60,25 @@ TEST(PlateZone, LatticeWithElementsIsAMultipleOfTheLargest)
   EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{136, 64, 16}));
   scene.plates[0].thickness = 27e-3; // 9 cells: never
   EXPECT_EQ(lattice_points(scene, scene.plates[0])[2], 18);
-  scene.plates[0].thickness = 1e-3; // at least one cube
-  EXPECT_EQ(lattice_points(scene, scene.plates[0])[2], 2);
+}
+
+TEST(PlateZone, RoundingThatMakesAnotherPlateIsRefused)
+{
+  Scene scene                  = big_plate();
+  scene.zone.kind              = ZoneKind::automatic;
+  scene.zone.coarsening_levels = 2; // cubes of 12 mm would make 36 mm of 30
+  try
+  {
+    lattice_points(scene, scene.plates[0]);
+    FAIL() << "a plate of 36 mm instead of 30";
+  }
+  catch (const InputError &error)
+  {
+    for (const char *part : {"thickness", "30 mm", "36 mm", "12 mm", "5 %", "Coarsening levels"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+  scene.zone.kind = ZoneKind::everything; // nothing to fill
+  EXPECT_EQ(lattice_points(scene, scene.plates[0])[2], 20);
 }
 
 TEST(PlateZone, EverythingHasNoElements)

@@ -19,6 +19,7 @@ struct PlateZone
 };
 
 /// Points along x, y and z of a plate; with elements a multiple of what their largest cubes hold.
+/// Throws InputError if that changes an extent by more than 5 %.
 std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &plate);
 
 /// `box` is the plate's lattice. Throws InputError if the zone leaves nothing to the elements' side
