@@ -29,8 +29,8 @@ const std::map<std::string, std::set<std::string>> may_include{
     {"output", {"base", "discretization", "dynamics", "forces", "geometry"}},
     {"scene", {"base", "contact", "coupling", "forces", "geometry", "materials"}},
     {"drivers",
-     {"base", "contact", "coupling", "discretization", "dynamics", "forces", "geometry", "kernels", "materials",
-      "output", "scene"}}};
+     {"base", "contact", "coupling", "discretization", "dynamics", "forces", "geometry", "kernels",
+      "materials", "output", "scene"}}};
 
 struct Include
 {

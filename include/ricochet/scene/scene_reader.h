@@ -19,8 +19,8 @@ namespace ricochet
 Scene read_scene(const ParameterFile &file);
 
 /**
- * Writes all parameters of a scene (or experiment) that read_scene accepts, defaults included and marked, units
- * kept, in the order of their declaration. Read again, the text gives the same scene.
+ * Writes all parameters of a scene (or experiment) that read_scene accepts, defaults included and
+ * marked, units kept, in the order of their declaration. Read again, the text gives the same scene.
  */
 void write_used_parameters(const ParameterFile &file, std::ostream &out);
 
