@@ -85,8 +85,11 @@ Lattice::Lattice(const Box &box, const Stencil &stencil, const int rank, const i
   first_plane_  = plane_starts_[rank];
   n_planes_     = plane_starts_[rank + 1] - first_plane_;
 
-  row_stride_   = box.n[1] + mirror_layers_;
-  plane_stride_ = (row_stride_ * box.n[2] + block_size - 1) / block_size * block_size;
+  const auto rows = zone != nullptr ? zone->rows() : std::array<int, 2>{0, box.n[1]};
+  y_low_          = box.mirror_y ? -mirror_layers_ : rows[0];
+  y_high_         = std::max(rows[1], rows[0] + std::max(1, mirror_layers_));
+  row_stride_     = y_high_ - y_low_;
+  plane_stride_   = (row_stride_ * box.n[2] + block_size - 1) / block_size * block_size;
   // Behind the last ghost plane: room for the loads of lanes whose bond does not exist.
   const std::ptrdiff_t overshoot = (stencil.reach + 1) * row_stride_ + 2 * block_size;
   size_ = ((n_planes_ + 2 * stencil.reach) * plane_stride_ + overshoot + block_size - 1) /
@@ -128,7 +131,7 @@ void Lattice::place_points(const int first, const int last)
   const int highest = std::min({box_.n[0], last, first_plane_ + n_planes_ + stencil_.reach});
   for (int x = lowest; x < highest; ++x)
     for (int z = 0; z < box_.n[2]; ++z)
-      for (int y = -mirror_layers_; y < box_.n[1]; ++y)
+      for (int y = y_low_; y < y_high_; ++y)
       {
         const PointKind kind = kind_at(x, y, z);
         if (kind == PointKind::absent)
@@ -147,9 +150,14 @@ void Lattice::place_points(const int first, const int last)
 
 void Lattice::find_ranges()
 {
-  existing_ranges_ = ranges_of_blocks(exists_);
-  owned_ranges_    = ranges_of_blocks(owned_);
-  n_owned_points_  = 0;
+  existing_ranges_  = ranges_of_blocks(exists_);
+  const auto plane  = [&](const std::int64_t block) { return block * block_size / plane_stride_; };
+  inhabited_planes_ = {0, 0};
+  if (!existing_ranges_.empty())
+    inhabited_planes_ = {plane(existing_ranges_.front().first),
+                         plane(existing_ranges_.back().last - 1) + 1};
+  owned_ranges_   = ranges_of_blocks(owned_);
+  n_owned_points_ = 0;
   for_each_owned([&](std::ptrdiff_t) { ++n_owned_points_; });
 }
 
@@ -163,13 +171,13 @@ std::array<int, 3> Lattice::coordinates(const std::ptrdiff_t index) const
 {
   const std::ptrdiff_t in_plane = index % plane_stride_;
   return {static_cast<int>(index / plane_stride_) + first_plane_ - stencil_.reach,
-          static_cast<int>(in_plane % row_stride_) - mirror_layers_,
+          static_cast<int>(in_plane % row_stride_) + y_low_,
           static_cast<int>(in_plane / row_stride_)};
 }
 
 std::ptrdiff_t Lattice::index(const int x, const int y, const int z) const
 {
-  return (x - first_plane_ + stencil_.reach) * plane_stride_ + z * row_stride_ + y + mirror_layers_;
+  return (x - first_plane_ + stencil_.reach) * plane_stride_ + z * row_stride_ + y - y_low_;
 }
 
 Vector3 Lattice::reference_position(const std::array<int, 3> &c) const
@@ -201,7 +209,7 @@ void Lattice::set_intact_bonds(const std::int64_t first, const std::int64_t last
     {
       const auto &o = stencil_.offsets[k];
       const int x = c[0] + o.x, y = c[1] + o.y, z = c[2] + o.z;
-      if (y < -mirror_layers_ || y >= box_.n[1] || z < 0 || z >= box_.n[2])
+      if (y < y_low_ || y >= y_high_ || z < 0 || z >= box_.n[2])
         continue;
       const std::ptrdiff_t q = p + shift(o);
       if (q < size_ && exists(q) && (owned(p) || owned(q)) && (heavy || has_energy(q, {x, y, z})))

@@ -45,11 +45,11 @@ LatticeState::LatticeState(const Lattice &lattice) :
   arrays.energy       = take();
   arrays.bonds        = bonds_.data();
   arrays.free         = lattice.free_mask().data();
-  arrays.weight = arrays.hold = nullptr;
+  arrays.half_weight = arrays.hold = nullptr;
   if (lattice.zone() != nullptr)
   {
-    arrays.weight = take();
-    arrays.hold   = take();
+    arrays.half_weight = take();
+    arrays.hold        = take();
     weigh(lattice, 0, size_);
   }
 
@@ -67,9 +67,8 @@ void LatticeState::weigh(const Lattice &lattice, const std::ptrdiff_t first,
   for (std::ptrdiff_t p = first; p < last; ++p)
     if (lattice.exists(p))
     {
-      arrays.weight[p] = lattice.weight(p);
-      arrays.hold[p] =
-          lattice.kind(p) == PointKind::free ? 0. : std::numeric_limits<double>::infinity();
+      arrays.half_weight[p] = 0.5 * lattice.weight(p);
+      arrays.hold[p]        = lattice.kind(p) == PointKind::free ? 0. : 1.;
     }
 }
 

@@ -29,11 +29,21 @@ void dilate(std::vector<char> &cells, const std::array<int, 3> &n)
     }
   }
 }
+Zone::Cells common(Zone::Cells a, const Zone::Cells &b)
+{
+  for (int d = 0; d < 3; ++d)
+  {
+    a.low[d]  = std::max(a.low[d], b.low[d]);
+    a.high[d] = std::min(a.high[d], b.high[d]);
+  }
+  return a;
+}
 } // namespace
 
 Zone::Zone(const std::array<int, 3> &n_cells, const int reach, const BlendFunction blend,
            const int blend_layers) :
   n_(n_cells),
+  limit_{{0, 0, 0}, n_cells},
   // A free point feels the dilatation of its neighbours, so these need all of theirs.
   pad_(std::max((reach + points_per_edge - 1) / points_per_edge, blend_layers)),
   halo_((reach + points_per_edge - 1) / points_per_edge), blend_(blend),
@@ -56,7 +66,8 @@ bool Zone::would_grow(const std::vector<Cells> &boxes) const
 {
   bool changes = false;
   for (const auto &box : boxes)
-    for_each_cell_in(box, [&](const std::size_t c) { changes = changes || layers_[c] != 0; });
+    for_each_cell_in(common(box, limit_),
+                     [&](const std::size_t c) { changes = changes || layers_[c] != 0; });
   return changes;
 }
 
@@ -65,9 +76,24 @@ bool Zone::grow(const std::vector<Cells> &boxes)
   if (!would_grow(boxes))
     return false;
   for (const auto &box : boxes)
-    for_each_cell_in(box, [&](const std::size_t c) { layers_[c] = 0; });
+    for_each_cell_in(common(box, limit_), [&](const std::size_t c) { layers_[c] = 0; });
   find_layers();
   return true;
+}
+
+std::array<int, 2> Zone::rows() const
+{
+  int low = limit_.low[1] - slaved_layers(), high = limit_.high[1] + slaved_layers();
+  for_each_cell(
+      [&](const Cell &cell)
+      {
+        if (contact_[number(cell)] || layer(cell) < far())
+        {
+          low  = std::min(low, cell[1]);
+          high = std::max(high, cell[1] + 1);
+        }
+      });
+  return {points_per_edge * std::max(0, low), points_per_edge * std::min(n_[1], high)};
 }
 
 std::vector<char> Zone::rim(const int width) const

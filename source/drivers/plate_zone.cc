@@ -53,6 +53,19 @@ Zone::Cells columns(const Lattice::Box &box, const double x_low, const double x_
   }
   return cells;
 }
+
+/// The smallest box around all; without any, an empty one.
+Zone::Cells hull(const std::vector<Zone::Cells> &boxes)
+{
+  Zone::Cells cells = boxes.empty() ? Zone::Cells{} : boxes.front();
+  for (const auto &box : boxes)
+    for (int d = 0; d < 3; ++d)
+    {
+      cells.low[d]  = std::min(cells.low[d], box.low[d]);
+      cells.high[d] = std::max(cells.high[d], box.high[d]);
+    }
+  return cells;
+}
 } // namespace
 
 std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &plate)
@@ -138,12 +151,11 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
   if (scene.zone.grows_everywhere)
     fine = {{0, 0, 0}, result.zone->n_cells()};
   for (const auto &b : boxes)
-    for (int d = 0; d < 3; ++d)
-    {
-      fine.low[d]  = std::min(fine.low[d], b.low[d]);
-      fine.high[d] = std::max(fine.high[d], b.high[d]);
-    }
-  result.growth_limit = fine;
+    fine = hull({fine, b});
+  if (scene.zone.adaptive)
+    result.zone->set_limit(fine);
+  else
+    result.zone->set_limit(hull(boxes));
   result.zone->set_contact_region({fine});
   for (int d = 0; d < 2; ++d)
   {

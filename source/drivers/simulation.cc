@@ -107,7 +107,7 @@ void Simulation::build_plates()
     zone_watches_.back() = std::make_unique<ZoneWatch>(
         communicator_, *far_fields_.back(),
         ZoneWatch::Parameters{scene_.zone.conversion_stretch * bonds.critical_stretch,
-                              scene_.zone.adaptive, zone.growth_limit});
+                              scene_.zone.adaptive});
   }
 }
 

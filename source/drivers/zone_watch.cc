@@ -89,11 +89,11 @@ bool ZoneWatch::update(const double time, const double dt)
   std::vector<Zone::Cells> boxes;
   for (const auto &c : columns)
   {
-    Zone::Cells box = parameters_.limit;
+    Zone::Cells box = far_field_.zone().limit();
     for (int d = 0; d < 2; ++d)
     {
-      box.low[d]  = std::max(box.low[d], brick_below(c[d] - rim_width));
-      box.high[d] = std::min(box.high[d], brick_below(c[d] + rim_width) + brick);
+      box.low[d]  = brick_below(c[d] - rim_width);
+      box.high[d] = brick_below(c[d] + rim_width) + brick;
     }
     boxes.push_back(box);
   }

@@ -164,7 +164,7 @@ void BondHistory::end(const LatticeArrays &a, const bool measured, const bool is
       [&](const std::ptrdiff_t p)
       {
         const double theta = a.theta[p], before = a.theta_before[p] - lost_theta_[p];
-        const double volume = a.weight == nullptr ? V : V / (a.weight[p] + 1e-30);
+        const double volume = a.half_weight == nullptr ? V : V / (2. * a.half_weight[p] + 1e-30);
         double squares = equilibrium * theta * theta, loss = 0.;
         for (std::size_t k = 0; k < branches_.size(); ++k)
         {
@@ -264,12 +264,12 @@ void BondHistory::sum_theta(const LatticeArrays &a)
             theta_history_[k][p] += part;
             theta_history_[k][p + shifts_[offset]] += part;
           }
-  if (a.weight != nullptr)
+  if (a.half_weight != nullptr)
     for_each_block_point(
         [&](const std::ptrdiff_t p)
         {
           for (auto &field : theta_history_)
-            field[p] *= a.weight[p];
+            field[p] *= 2. * a.half_weight[p];
         });
 }
 

@@ -92,23 +92,24 @@ void PeridynamicForce::find_bond_ranges()
 {
   const std::size_t n    = shifts_.size();
   const std::size_t last = lattice_.owned_end() / Lattice::block_size;
-  const double *hold     = state_.arrays.hold;
+  const double *half     = state_.arrays.half_weight;
+  const auto is_light = [half](const std::ptrdiff_t p) { return half != nullptr && half[p] < 0.5; };
   // Also points without bonds of their own in the forward half count: their dilatation has energy.
-  std::vector<std::uint8_t> free(last, 0), held(last, 0);
+  std::vector<std::uint8_t> whole(last, 0), weighted(last, 0);
   for (std::size_t block = 0; block < last; ++block)
   {
     const std::ptrdiff_t first = block * Lattice::block_size;
     for (std::ptrdiff_t p = first; p < first + Lattice::block_size; ++p)
       if (lattice_.exists(p) && lattice_.kind(p) != PointKind::contact)
-        (hold != nullptr && hold[p] > 0. ? held : free)[block] = 1;
-    for (std::size_t k = 0; k < n && hold != nullptr && !held[block]; ++k)
+        (is_light(p) ? weighted : whole)[block] = 1;
+    for (std::size_t k = 0; k < n && half != nullptr && !weighted[block]; ++k)
       for (int lane = 0; lane < Lattice::block_size; ++lane)
-        if ((initial_bonds_[block * n + k] >> lane) & 1 && hold[first + lane + shifts_[k]] > 0.)
-          held[block] = 1;
-    free[block] &= !held[block];
+        if ((initial_bonds_[block * n + k] >> lane) & 1 && is_light(first + lane + shifts_[k]))
+          weighted[block] = 1;
+    whole[block] &= !weighted[block];
   }
-  free_ranges_ = ranges_of_blocks(free);
-  held_ranges_ = ranges_of_blocks(held);
+  whole_ranges_    = ranges_of_blocks(whole);
+  weighted_ranges_ = ranges_of_blocks(weighted);
 }
 
 void PeridynamicForce::follow_zone(const int first, const int last)
@@ -188,7 +189,7 @@ PeridynamicForce::points_stretched(const double stretch,
     std::copy_n(state_.arrays.bonds + range.first * shifts_.size(), n,
                 watched_bonds_.begin() + range.first * shifts_.size());
     log.resize(n);
-    const auto n_log = kernel_->stretch_held(copy, table, range.first, range.last, log.data());
+    const auto n_log = kernel_->stretch(copy, table, range.first, range.last, log.data());
     for (std::int64_t i = 0; i < n_log; ++i)
       for (int lane = 0; lane < Lattice::block_size; ++lane)
         if ((log[i].points >> lane) & 1)
@@ -233,15 +234,11 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy, const bo
     history_->begin(a);
   std::swap(a.theta, a.theta_before);
   state_.zero(lattice_, a.theta);
-  n_broken_             = 0;
-  const auto break_with = [&](const auto kernel, const std::vector<Lattice::BlockRange> &ranges)
-  {
-    for (const auto &range : ranges)
+  n_broken_ = 0;
+  for (const auto *ranges : {&whole_ranges_, &weighted_ranges_})
+    for (const auto &range : *ranges)
       n_broken_ += static_cast<std::size_t>(
-          kernel(a, table, range.first, range.last, broken_.data() + n_broken_));
-  };
-  break_with(kernel_->stretch, free_ranges_);
-  break_with(kernel_->stretch_held, held_ranges_);
+          kernel_->stretch(a, table, range.first, range.last, broken_.data() + n_broken_));
   if (material_.law->has_dilatation)
   {
     weigh_dilatation();
@@ -276,9 +273,9 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy, const bo
         kernel(a, table, bonds, range.first, range.last);
     };
     const auto &k = *kernel_;
-    relax_with(measure ? k.relaxing_force_and_energy : k.relaxing_force, free_ranges_);
+    relax_with(measure ? k.relaxing_force_and_energy : k.relaxing_force, whole_ranges_);
     relax_with(measure ? k.weighted_relaxing_force_and_energy : k.weighted_relaxing_force,
-               held_ranges_);
+               weighted_ranges_);
     history_->end(a, measure, is_step);
     return;
   }
@@ -287,20 +284,20 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy, const bo
     for (const auto &range : ranges)
       kernel(a, table, range.first, range.last);
   };
-  add_with(energy ? kernel_->force_and_energy : kernel_->force, free_ranges_);
-  add_with(energy ? kernel_->weighted_force_and_energy : kernel_->weighted_force, held_ranges_);
+  add_with(energy ? kernel_->force_and_energy : kernel_->force, whole_ranges_);
+  add_with(energy ? kernel_->weighted_force_and_energy : kernel_->weighted_force, weighted_ranges_);
 }
 
 /// From theta to w theta.
 void PeridynamicForce::weigh_dilatation()
 {
   auto &a = state_.arrays;
-  if (a.weight == nullptr)
+  if (a.half_weight == nullptr)
     return;
   for (const auto &range : lattice_.owned_ranges())
     for (std::ptrdiff_t p = range.first * Lattice::block_size; p < range.last * Lattice::block_size;
          ++p)
-      a.theta[p] *= a.weight[p];
+      a.theta[p] *= 2. * a.half_weight[p];
 }
 
 void PeridynamicForce::advance(const double kick, const double drift)

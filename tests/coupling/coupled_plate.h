@@ -17,7 +17,8 @@ struct CoupledSample
   std::array<int, 3> n_cells{14, 14, 14};
   Zone::Cells zone{{5, 5, 5}, {9, 9, 9}};
   std::vector<Zone::Cells> more_of_zone;
-  int pad_layers = 0; // 0: what the method asks for
+  std::optional<Zone::Cells> limit; // of a zone that grows
+  int pad_layers = 0;               // 0: what the method asks for
   CouplingParameters coupling;
   FarFieldOptions far;
   double poisson_ratio        = 0.35;
@@ -52,6 +53,8 @@ struct CoupledPlate
         sample.pad_layers > 0
                           ? Zone(sample.n_cells, stencil.reach, BlendFunction::step, sample.pad_layers)
                           : make_zone(sample.n_cells, stencil, sample.coupling));
+    if (sample.limit)
+      zone->set_limit(*sample.limit);
     zone->grow({sample.zone});
     zone->grow(sample.more_of_zone);
     const double nu = sample.poisson_ratio;

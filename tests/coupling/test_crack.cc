@@ -35,10 +35,10 @@ Crack crack(const bool coupled, const int n_steps)
   sample.communicator     = MPI_COMM_SELF;
   sample.n_cells          = {48, 3, 32};
   sample.zone             = {{0, 0, low}, {coupled ? 16 : 48, 3, high}};
+  sample.limit            = {{0, 0, low}, {48, 3, high}};
   sample.critical_stretch = critical;
   CoupledPlate strip(sample);
-  ZoneWatch watch(MPI_COMM_SELF, *strip.far,
-                  {0.5 * critical, coupled, {{0, 0, low}, {48, 3, high}}});
+  ZoneWatch watch(MPI_COMM_SELF, *strip.far, {0.5 * critical, coupled});
 
   // Bonds across the notch: a plane that rises towards the middle of the strip.
   const double notch = 22e-3, middle = 32e-3, slope = 0.3;

@@ -156,13 +156,13 @@ TEST(PlateZone, AutomaticZoneHoldsTheCorridorAndAnAdaptiveOneItsBeginning)
     EXPECT_LE(large[0], small[0]);
     EXPECT_GE(large[1], small[1]);
     // It may grow as far as the fixed one is.
-    EXPECT_LE(growing.growth_limit.low[0], large[0]);
-    EXPECT_GE(growing.growth_limit.high[0], large[1]);
-    EXPECT_LT(growing.growth_limit.high[0], growing.zone->n_cells()[0]);
+    EXPECT_LE(growing.zone->limit().low[0], large[0]);
+    EXPECT_GE(growing.zone->limit().high[0], large[1]);
+    EXPECT_LT(growing.zone->limit().high[0], growing.zone->n_cells()[0]);
     scene.zone.grows_everywhere = true;
     const auto everywhere       = zone_of(scene);
-    EXPECT_EQ(everywhere.growth_limit.low, (Points{0, 0, 0}));
-    EXPECT_EQ(everywhere.growth_limit.high, everywhere.zone->n_cells());
+    EXPECT_EQ(everywhere.zone->limit().low, (Points{0, 0, 0}));
+    EXPECT_EQ(everywhere.zone->limit().high, everywhere.zone->n_cells());
   }
 }
 

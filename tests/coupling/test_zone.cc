@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/discretization/lattice.h"
 #include "ricochet/discretization/zone.h"
 
 #include <gtest/gtest.h>
@@ -112,6 +113,55 @@ TEST(Zone, PointsHaveTheKindOfTheirCell)
   EXPECT_FALSE(zone.has_contact({5, 0, 0}));
   zone.set_contact_region({});
   EXPECT_EQ(zone.kind(14, 0, 0), PointKind::absent);
+}
+
+TEST(Zone, GrowsNoFurtherThanItsLimit)
+{
+  Zone zone({12, 12, 3}, 2);
+  EXPECT_EQ(zone.rows(), (std::array<int, 2>{0, 24}));
+  zone.set_limit({{0, 4, 0}, {6, 7, 3}});
+  zone.grow({{{0, 0, 0}, {2, 12, 3}}});
+  EXPECT_FALSE(zone.is_free({0, 3, 0}));
+  EXPECT_TRUE(zone.is_free({0, 4, 0}));
+  EXPECT_TRUE(zone.is_free({0, 6, 2}));
+  EXPECT_FALSE(zone.is_free({0, 7, 0}));
+  EXPECT_FALSE(zone.would_grow({{{0, 0, 0}, {2, 12, 3}}}));
+  // Pad and halo on either side, and contact points wherever they are.
+  EXPECT_EQ(zone.rows(), (std::array<int, 2>{4, 18}));
+  zone.set_contact_region({{{8, 1, 0}, {9, 2, 1}}});
+  EXPECT_EQ(zone.rows(), (std::array<int, 2>{2, 18}));
+}
+
+TEST(Zone, LatticeOfALimitedZoneHasTheSamePointsAndBonds)
+{
+  const auto stencil = make_stencil(1e-3, 3., InfluenceFunction::cone);
+  for (const bool mirrored : {false, true})
+  {
+    const Lattice::Box box{Vector3::Zero(), 1e-3, {16, 24, 8}, mirrored};
+    std::vector<std::vector<std::array<int, 4>>> bonds(2);
+    for (const bool limited : {false, true})
+    {
+      Zone zone({8, 12, 4}, stencil.reach);
+      const Zone::Cells cells{{2, mirrored ? 0 : 4, 0}, {5, 6, 4}};
+      if (limited)
+        zone.set_limit(cells);
+      zone.grow({cells});
+      const Lattice lattice(box, stencil, 0, 1, {}, &zone);
+      const auto intact = lattice.intact_bonds();
+      for (std::ptrdiff_t p = 0; p < lattice.owned_end(); ++p)
+        for (std::size_t k = 0; k < stencil.offsets.size(); ++k)
+          if ((intact[p / 8 * stencil.offsets.size() + k] >> (p % 8)) & 1)
+          {
+            const auto c = lattice.coordinates(p);
+            EXPECT_EQ(lattice.index(c[0], c[1], c[2]), p);
+            bonds[limited].push_back({c[0], c[1], c[2], static_cast<int>(k)});
+          }
+      EXPECT_LT(limited ? lattice.row_stride() : 0, 24);
+      std::sort(bonds[limited].begin(), bonds[limited].end());
+    }
+    EXPECT_GT(bonds[0].size(), 10000u);
+    EXPECT_EQ(bonds[0], bonds[1]);
+  }
 }
 
 TEST(Zone, WeightsOfThePadAreOneAndOfTheHaloZero)

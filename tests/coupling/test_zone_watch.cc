@@ -23,7 +23,7 @@ CoupledSample plate_with_column()
 
 ZoneWatch::Parameters parameters(const bool adaptive)
 {
-  return {watched, adaptive, {{0, 0, 0}, {28, 28, 4}}};
+  return {watched, adaptive};
 }
 
 /// Moves one free point by so many spacings along x: its bonds stretch by at most as much.
@@ -104,10 +104,10 @@ TEST(ZoneWatch, AdaptiveZoneGrowsByColumnsOfBricks)
 
 TEST(ZoneWatch, ZoneAtItsLimitIsReported)
 {
-  CoupledPlate plate(plate_with_column());
-  auto limited  = parameters(true);
-  limited.limit = {{8, 8, 0}, {20, 20, 4}};
-  ZoneWatch watch(MPI_COMM_SELF, *plate.far, limited);
+  auto limited  = plate_with_column();
+  limited.limit = limited.zone;
+  CoupledPlate plate(limited);
+  ZoneWatch watch(MPI_COMM_SELF, *plate.far, parameters(true));
   pull(plate, {8, 14, 2}, -0.008);
   EXPECT_FALSE(watch.update(3e-6, dt));
   EXPECT_EQ(watch.n_conversions(), 0);

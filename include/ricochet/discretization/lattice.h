@@ -8,8 +8,8 @@
 // exists is one bit. Around the owned planes lie `reach` ghost planes on either side, and before
 // each row `reach` mirror images if y = 0 is a symmetry plane. The plane stride is a multiple of 8,
 // hence blocks fall on the same points for any number of ranks and sums are made in the same order.
-// Of a coupled body only the points of its zone and those around it exist; loops then run over the
-// ranges of blocks that hold any.
+// Of a coupled body only the points of its zone and those around it exist: rows are no longer than
+// the zone may get, and loops run over the ranges of blocks that hold any point.
 #pragma once
 
 #include "ricochet/discretization/stencil.h"
@@ -106,7 +106,8 @@ public:
   template <class Visitor>
   void for_each_owned(Visitor &&visit) const;
 
-  /// For rows of all local planes: calls visit(image, original) for each mirror image.
+  /// For rows of all local planes that may have points: calls visit(image, original) for each
+  /// mirror image.
   template <class Visitor>
   void for_each_image(Visitor &&visit) const;
 
@@ -123,12 +124,14 @@ private:
   Mask mask_;
   const Zone *zone_;
   int mirror_layers_;
+  int y_low_, y_high_; // coordinates that rows hold, images included
   std::vector<int> plane_starts_;
   int first_plane_, n_planes_;
   std::ptrdiff_t row_stride_, plane_stride_, size_;
   std::int64_t n_owned_points_;
   std::vector<std::uint8_t> exists_, owned_, free_;
   std::vector<BlockRange> existing_ranges_, owned_ranges_;
+  BlockRange inhabited_planes_; // local ones between which all points lie
 };
 
 /// Runs of blocks, each with any bit of `masks` set.
@@ -148,8 +151,7 @@ void Lattice::for_each_image(Visitor &&visit) const
 {
   if (mirror_layers_ == 0)
     return;
-  const std::ptrdiff_t n_planes = n_planes_ + 2 * stencil_.reach;
-  for (std::ptrdiff_t plane = 0; plane < n_planes; ++plane)
+  for (std::ptrdiff_t plane = inhabited_planes_.first; plane < inhabited_planes_.last; ++plane)
     for (int z = 0; z < box_.n[2]; ++z)
     {
       const std::ptrdiff_t first = plane * plane_stride_ + z * row_stride_ + mirror_layers_;

@@ -52,8 +52,15 @@ public:
   int pad_layers() const { return pad_; }
   int slaved_layers() const { return pad_ + halo_; }
 
-  /// Adds cells to the zone (those inside the plate) and finds the layers anew. Returns whether
-  /// anything changed.
+  /// The zone will never grow beyond these cells, the whole plate unless said otherwise: lattices
+  /// need no room there. Must contain the zone as it is. Set before lattices are built.
+  void set_limit(const Cells &limit) { limit_ = limit; }
+  const Cells &limit() const { return limit_; }
+  /// Lattice coordinates low <= y < high of all points that may ever exist.
+  std::array<int, 2> rows() const;
+
+  /// Adds cells to the zone (those inside plate and limit) and finds the layers anew. Returns
+  /// whether anything changed.
   bool grow(const std::vector<Cells> &boxes);
   /// Surface cells in these boxes carry contact points where no layer lies.
   void set_contact_region(const std::vector<Cells> &boxes);
@@ -117,6 +124,7 @@ private:
   void find_layers();
 
   std::array<int, 3> n_;
+  Cells limit_;
   int pad_, halo_;
   BlendFunction blend_;
   std::vector<std::uint8_t> layers_, contact_; // per cell

@@ -14,8 +14,7 @@ struct PlateZone
 {
   std::unique_ptr<Zone> zone; // null if the plate is peridynamic throughout
   FarFieldOptions options;
-  Zone::Cells growth_limit{}; // of an adaptive zone
-  std::string reason;         // for the user
+  std::string reason; // for the user
 };
 
 /// Points along x, y and z of a plate; with elements a multiple of what their largest cubes hold.

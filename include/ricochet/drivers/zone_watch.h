@@ -15,7 +15,6 @@ public:
   {
     double stretch; // of a bond, at which damage is expected [-]
     bool adaptive;
-    Zone::Cells limit; // the zone grows inside these cells only
   };
 
   /// `far_field` and its points must outlive this object.

@@ -24,8 +24,8 @@ struct LatticeArrays
   uint8_t *bonds;       // one bit per bond, see Lattice::intact_bonds
   const uint8_t *free;  // one bit per point that moves by its own force
   // Near an interface to finite elements only, else null:
-  double *weight; // share of a point's energy that counts [-]
-  double *hold;   // 0 for free points; infinite for others, whose bonds do not break [m]
+  double *half_weight; // half the share of a point's energy that counts [-]
+  double *hold;        // 0 for free points; 1 for others, whose bonds do not break [-]
 };
 
 struct BondTable
@@ -64,14 +64,11 @@ struct LatticeKernel
 {
   const char *instruction_set;
 
-  /// Breaks bonds stretched beyond their limit and adds every intact bond's part to theta, which
-  /// must be zero before. `log` must hold one entry per block and offset; returns how many were
-  /// written.
+  /// Breaks bonds stretched beyond their limit, unless an end of them is held, and adds every
+  /// intact bond's part to theta, which must be zero before. `log` must hold one entry per block
+  /// and offset; returns how many were written.
   int64_t (*stretch)(const LatticeArrays &, const BondTable &, int64_t first_block,
                      int64_t last_block, BrokenBonds *log);
-  /// The same, but breaks only bonds between points that `hold` nothing.
-  int64_t (*stretch_held)(const LatticeArrays &, const BondTable &, int64_t first_block,
-                          int64_t last_block, BrokenBonds *log);
 
   /// Adds bond forces to both ends; `force` must be zero before, theta complete.
   void (*force)(const LatticeArrays &, const BondTable &, int64_t first_block, int64_t last_block);

@@ -13,7 +13,7 @@ namespace ricochet
 {
 namespace
 {
-template <class Law, bool held>
+template <class Law>
 int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t first,
                 const int64_t last, BrokenBonds *log)
 {
@@ -35,20 +35,23 @@ int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t fi
         const int64_t q        = p + table.shift[k];
         const BondConstants &c = table.constants[k];
         const V dx = Simd::load(x + q) - px, dy = Simd::load(y + q) - py,
-                dz = Simd::load(z + q) - pz;
-        const V r2 = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
-        const V e  = Simd::fma(r2, Simd::inverse_sqrt(r2), -Simd::set(c.length));
-        M alive    = Simd::mask(bits);
-        V limit    = Simd::set(c.critical);
-        if constexpr (held)
-          limit = limit + (Simd::load(a.hold + p) + Simd::load(a.hold + q));
-        const M broken = Simd::greater(e, limit, alive);
-        if (Simd::any(broken))
+                dz     = Simd::load(z + q) - pz;
+        const V r2     = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
+        const V e      = Simd::fma(r2, Simd::inverse_sqrt(r2), -Simd::set(c.length));
+        M alive        = Simd::mask(bits);
+        const M broken = Simd::greater(e, Simd::set(c.critical), alive);
+        if (Simd::any(broken)) // rarely
         {
-          const unsigned int gone = Simd::bits(broken);
-          bonds[k] &= uint8_t(~(gone << lane));
-          log[n_log++] = {int32_t(block), int16_t(k), uint8_t(gone << lane)};
-          alive        = Simd::mask(bits & ~gone);
+          unsigned int gone = Simd::bits(broken);
+          if (a.hold != nullptr)
+            gone &= ~Simd::bits(Simd::greater(Simd::load(a.hold + p) + Simd::load(a.hold + q),
+                                              Simd::zero(), broken));
+          if (gone != 0)
+          {
+            bonds[k] &= uint8_t(~(gone << lane));
+            log[n_log++] = {int32_t(block), int16_t(k), uint8_t(gone << lane)};
+            alive        = Simd::mask(bits & ~gone);
+          }
         }
         if constexpr (Law::has_dilatation)
         {
@@ -78,6 +81,9 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
       const V px = Simd::load(x + p), py = Simd::load(y + p), pz = Simd::load(z + p);
       const V theta = Simd::load(a.theta + p);
       V sx = Simd::zero(), sy = Simd::zero(), sz = Simd::zero(), energy = Simd::zero();
+      V own_half = Simd::zero();
+      if constexpr (weighted)
+        own_half = Simd::load(a.half_weight + p);
       for (int k = 0; k < table.n; ++k)
       {
         const unsigned int bits = lane_bits(bonds[k], lane);
@@ -93,8 +99,7 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
         const V e       = Simd::fma(r2, inverse, -Simd::set(c.length));
         V extension     = Simd::set(c.extension);
         if constexpr (weighted)
-          extension =
-              extension * Simd::set(0.5) * (Simd::load(a.weight + p) + Simd::load(a.weight + q));
+          extension = extension * (own_half + Simd::load(a.half_weight + q));
         const V tension = Law::template tension<V>(Simd::set(c.volumetric), extension, e,
                                                    theta + Simd::load(a.theta + q));
         const V t       = Simd::keep(alive, tension * inverse);
@@ -120,7 +125,7 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
         // w theta^2 = (w theta)^2 / w; without weight theta is zero.
         V stiffness = Simd::set(table.point_stiffness);
         if constexpr (weighted)
-          stiffness = stiffness / (Simd::load(a.weight + p) + Simd::set(1e-30));
+          stiffness = stiffness / (own_half + own_half + Simd::set(1e-30));
         Simd::store(a.energy + p,
                     Simd::fma(stiffness, theta * theta, Simd::load(a.energy + p) + energy));
       }
@@ -151,8 +156,7 @@ template <class Law>
 constexpr LatticeKernel kernel_of()
 {
   return {Simd::name,
-          &stretch<Law, false>,
-          &stretch<Law, true>,
+          &stretch<Law>,
           &force<Law, false, false>,
           &force<Law, true, false>,
           &force<Law, false, true>,

@@ -51,7 +51,9 @@ void relaxing_force(const LatticeArrays &a, const BondTable &table, const Relaxi
         pw = Simd::load(w + p);
       }
       V sx = Simd::zero(), sy = Simd::zero(), sz = Simd::zero();
-      V energy = Simd::zero(), dissipated = Simd::zero();
+      V energy = Simd::zero(), dissipated = Simd::zero(), own_half = Simd::zero();
+      if constexpr (weighted)
+        own_half = Simd::load(a.half_weight + p);
       for (int k = 0; k < table.n; ++k)
       {
         const unsigned int bits = lane_bits(intact[k], lane);
@@ -107,10 +109,9 @@ void relaxing_force(const LatticeArrays &a, const BondTable &table, const Relaxi
         V tension;
         if constexpr (weighted)
         {
-          tension = stiffness * (length * both);
-          stiffness =
-              stiffness * Simd::set(0.5) * (Simd::load(a.weight + p) + Simd::load(a.weight + q));
-          tension = Simd::fma(stiffness, strain, tension);
+          tension   = stiffness * (length * both);
+          stiffness = stiffness * (own_half + Simd::load(a.half_weight + q));
+          tension   = Simd::fma(stiffness, strain, tension);
         }
         else
           tension = stiffness * Simd::fma(length, both, strain);
