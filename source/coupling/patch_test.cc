@@ -14,8 +14,9 @@ namespace
 // Small enough to be linear, large enough that extensions survive the cancellation |xi + eta| -
 // |xi|.
 constexpr double strain = 1e-6;
-// The residual forces of the relaxed plate, in units of those at the start.
-constexpr double enough = 3e-2;
+// The residual forces of the relaxed plate, in units of those at the start, in the norm of the
+// preconditioner.
+constexpr double enough = 1e-1;
 
 class Patch
 {
@@ -33,13 +34,16 @@ public:
           if (lattice_.free(p))
             points_.push_back(p);
         });
+    // Stiffness goes like modulus times edge, and mass like the edge to the third.
+    const double of_points = std::cbrt(1. / plate.points().point_mass());
     for (const auto p : points_)
       for (int d = 0; d < 3; ++d)
-        released_.push_back(!in_skin(point_at(p)));
+        softness_.push_back(in_skin(point_at(p)) ? 0. : of_points);
     for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
       for (int d = 0; d < 3; ++d)
-        released_.push_back(plate.elements().inverse_mass(node, d) > 0. &&
-                            !in_skin(mesh_.reference_position(node)));
+        softness_.push_back(in_skin(mesh_.reference_position(node))
+                                ? 0.
+                                : std::cbrt(plate.elements().inverse_mass(node, d)));
   }
 
   /// Displaces everything to the gradient H times X plus u, and returns the forces on what is
@@ -73,7 +77,7 @@ public:
     f.insert(f.end(), elements.force().begin(),
              elements.force().begin() + 3 * mesh_.n_owned_nodes());
     for (std::size_t k = 0; k < f.size(); ++k)
-      f[k] = released_[k] ? f[k] : 0.;
+      f[k] = softness_[k] > 0. ? f[k] : 0.;
     return f;
   }
 
@@ -83,8 +87,8 @@ public:
     const Eigen::Matrix3d none   = Eigen::Matrix3d::Zero();
     // Forces are linear in displacements of this size only.
     const double size            = strain * edge_;
-    std::vector<double> residual = f, direction = f;
-    double squared       = product(residual, residual);
+    std::vector<double> residual = f, softened = soften(f), direction = softened;
+    double squared       = product(residual, softened);
     const double at_last = enough * enough * squared;
     int iteration        = 0;
     for (; iteration < most_iterations && squared > at_last; ++iteration)
@@ -106,10 +110,11 @@ public:
         u[k] += step * direction[k];
         residual[k] -= step * image[k];
       }
-      const double next = product(residual, residual), beta = next / squared;
+      softened          = soften(residual);
+      const double next = product(residual, softened), beta = next / squared;
       squared = next;
       for (std::size_t k = 0; k < u.size(); ++k)
-        direction[k] = residual[k] + beta * direction[k];
+        direction[k] = softened[k] + beta * direction[k];
     }
     return iteration;
   }
@@ -156,7 +161,7 @@ public:
   }
 
   double force_unit() const { return strain * modulus_ * edge_ * edge_; } // [N]
-  std::size_t size() const { return released_.size(); }
+  std::size_t size() const { return softness_.size(); }
 
 private:
   Vector3 point_at(const std::ptrdiff_t p) const
@@ -175,6 +180,13 @@ private:
         return true;
     return false;
   }
+  /// The preconditioner: displacements of about the right size for these forces.
+  std::vector<double> soften(std::vector<double> f) const
+  {
+    for (std::size_t k = 0; k < f.size(); ++k)
+      f[k] *= softness_[k];
+    return f;
+  }
   double product(const std::vector<double> &x, const std::vector<double> &y) const
   {
     double sum = 0.;
@@ -191,7 +203,8 @@ private:
   LatticeArrays &a_;
   double modulus_, edge_;              // M [Pa], h [m]
   std::vector<std::ptrdiff_t> points_; // free ones
-  std::vector<char> released_;         // per component of points_, then of owned nodes
+  // Per component of points_, then of owned nodes: like the inverse of its stiffness; 0 if held.
+  std::vector<double> softness_;
 };
 } // namespace
 

@@ -9,7 +9,7 @@ namespace ricochet
 {
 namespace
 {
-constexpr double half_width = 2.5; // of the crater [calibres]
+constexpr double half_width = 1.5; // beside the path [calibres]
 constexpr double run_out    = 5.;  // beyond the path [calibres]
 // The interface must keep away from what breaks.
 constexpr double margin     = 2.; // [horizons]
@@ -34,7 +34,7 @@ ZoneChoice corridor_zone(const ImpactGeometry &impact)
   char text[300];
   std::snprintf(
       text, sizeof text,
-      "half width %.3g mm = 2.5 calibres + 2 horizons; length %.3g mm = path %.3g mm (%s) + "
+      "half width %.3g mm = 1.5 calibres + 2 horizons; length %.3g mm = path %.3g mm (%s) + "
       "projectile + 5 calibres ahead, the half width behind",
       1e3 * side, 1e3 * (choice.x_high - choice.x_low), 1e3 * path,
       straight <= arc ? "straight through the plate" : "arc of a ricochet");

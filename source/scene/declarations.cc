@@ -383,7 +383,7 @@ SectionDeclaration output(const std::string &stem)
                             "Where the results go, by default output/ and the file's name"),
            with_default("Frame interval", quantity(Dimension::time, Limit::not_negative), "20 us",
                         "Time between two frames of all points; 0 us for none"),
-           with_default("History interval", quantity(Dimension::time, Limit::positive), "1 us",
+           with_default("History interval", quantity(Dimension::time, Limit::positive), "2 us",
                         "Time between two rows of the history"),
            with_default("ParaView files", flag(), "true",
                         "Whether the frames are written for ParaView"),

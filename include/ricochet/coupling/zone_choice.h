@@ -29,10 +29,11 @@ struct ZoneChoice
   std::string reason;                  // for the user, one line
 };
 
-/// The corridor of the whole event. Half as wide as the crater of a PMMA plate (2.5 calibres, plus
-/// what the interface must keep away); as long as a straight path through the plate or the arc of a
-/// ricochet, whichever is shorter, plus the projectile and five calibres. From full runs of
-/// prm/single_plate; doc/coupling.md.
+/// The corridor of the whole event. 1.5 calibres to each side, plus what the interface must keep
+/// away; as long as a straight path through the plate or the arc of a ricochet, whichever is
+/// shorter, plus the projectile and five calibres. In ensembles of the base case path and exit
+/// speed do not change with more width; a shorter corridor stops the projectile at its end
+/// (doc/coupling.md).
 ZoneChoice corridor_zone(const ImpactGeometry &impact);
 
 /// Only what the first moments need; for zones that grow.
