@@ -165,9 +165,7 @@ void FarField::join()
     }
     elements_.set_consistent_mass(pad);
   }
-  slaved_ = SlavedPoints(communicator_, elements_, points_.lattice(),
-                         [&](const Zone::Cell &at)
-                         { return zone_.is_slaved(at) || zone_.has_contact(at); });
+  tie();
 
   if (options_.coupling.method == CouplingMethod::force_blend)
   {
@@ -189,6 +187,29 @@ void FarField::join()
       bond_share_.push_back(blend(options_.coupling.blend, double(distance) / width));
     }
   }
+}
+
+/// Finds the nodes that slaved points follow.
+void FarField::tie()
+{
+  slaved_ = SlavedPoints(communicator_, elements_, points_.lattice(),
+                         [&](const Zone::Cell &at)
+                         { return zone_.is_slaved(at) || zone_.has_contact(at); });
+}
+
+bool FarField::rebalance()
+{
+  // Moving planes costs about as much as some steps.
+  constexpr double tolerable = 1.1, worth_it = 0.95;
+  const Lattice &lattice = points_.lattice();
+  const auto fair        = lattice.fair_plane_starts();
+  const double now       = lattice.imbalance(lattice.plane_starts());
+  if (now < tolerable || lattice.imbalance(fair) > worth_it * now)
+    return false;
+  points_.redistribute(fair);
+  tie();
+  lead();
+  return true;
 }
 
 CalibrationReport FarField::calibration() const

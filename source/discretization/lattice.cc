@@ -4,11 +4,26 @@
 #include "ricochet/base/exceptions.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ricochet
 {
 namespace
 {
+// Points with bonds cost; a little for all others, so that no rank gets an endless empty share.
+constexpr double share_of_none = 0.02;
+
+/// Of the layers of cells before each, and in the end of all, in cells full of points.
+std::vector<double> work_before(const Zone &zone)
+{
+  std::vector<double> work(zone.n_cells()[0] + 1, 0.);
+  zone.for_each_cell([&](const Zone::Cell &cell)
+                     { work[cell[0] + 1] += zone.layer(cell) < zone.far() ? 1. : share_of_none; });
+  for (std::size_t i = 1; i < work.size(); ++i)
+    work[i] += work[i - 1];
+  return work;
+}
+
 /// Planes of a lattice over ranks: equal numbers, or with a zone equal work. Cells of a zone are
 /// not cut.
 std::vector<int> share_planes(const int n_planes, const int n_ranks, const int reach,
@@ -22,18 +37,11 @@ std::vector<int> share_planes(const int n_planes, const int n_ranks, const int r
     return starts;
   }
 
-  constexpr int edge             = Zone::points_per_edge;
-  const int n_layers             = n_planes / edge;
-  const int least_layers         = (reach + edge - 1) / edge;
-  // Points with bonds cost; a little for all others, so that no rank gets an endless empty share.
-  constexpr double share_of_none = 0.02;
-  std::vector<double> work(n_layers + 1, 0.);
-  zone->for_each_cell(
-      [&](const Zone::Cell &cell)
-      { work[cell[0] + 1] += zone->layer(cell) < zone->far() ? 1. : share_of_none; });
-  for (int i = 0; i < n_layers; ++i)
-    work[i + 1] += work[i];
-  starts[n_ranks] = n_planes;
+  constexpr int edge     = Zone::points_per_edge;
+  const int n_layers     = n_planes / edge;
+  const int least_layers = (reach + edge - 1) / edge;
+  const auto work        = work_before(*zone);
+  starts[n_ranks]        = n_planes;
   for (int rank = 1; rank < n_ranks; ++rank)
   {
     const double target = work[n_layers] * rank / n_ranks;
@@ -81,23 +89,52 @@ Lattice::Lattice(const Box &box, const Stencil &stencil, const int rank, const i
         "A plate of " + std::to_string(n_planes_all) + " lattice planes cannot be shared by " +
         std::to_string(n_ranks) + " ranks: each must own at least " + std::to_string(least) +
         " planes. Use at most " + std::to_string(std::max(1, n_planes_all / least)) + " ranks.");
-  plane_starts_ = share_planes(n_planes_all, n_ranks, stencil.reach, zone);
-  first_plane_  = plane_starts_[rank];
-  n_planes_     = plane_starts_[rank + 1] - first_plane_;
-
+  plane_starts_   = share_planes(n_planes_all, n_ranks, stencil.reach, zone);
   const auto rows = zone != nullptr ? zone->rows() : std::array<int, 2>{0, box.n[1]};
   y_low_          = box.mirror_y ? -mirror_layers_ : rows[0];
   y_high_         = std::max(rows[1], rows[0] + std::max(1, mirror_layers_));
   row_stride_     = y_high_ - y_low_;
   plane_stride_   = (row_stride_ * box.n[2] + block_size - 1) / block_size * block_size;
+  take_share(rank);
+}
+
+Lattice::Lattice(const Lattice &other, std::vector<int> plane_starts, const int rank) :
+  Lattice(other)
+{
+  plane_starts_ = std::move(plane_starts);
+  take_share(rank);
+}
+
+std::vector<int> Lattice::fair_plane_starts() const
+{
+  return share_planes(box_.n[0], static_cast<int>(plane_starts_.size()) - 1, stencil_.reach, zone_);
+}
+
+double Lattice::imbalance(const std::vector<int> &plane_starts) const
+{
+  if (zone_ == nullptr)
+    return 1.;
+  const auto work     = work_before(*zone_);
+  const std::size_t n = plane_starts.size() - 1;
+  double largest      = 0.;
+  for (std::size_t rank = 0; rank < n; ++rank)
+    largest = std::max(largest, work[plane_starts[rank + 1] / Zone::points_per_edge] -
+                                    work[plane_starts[rank] / Zone::points_per_edge]);
+  return largest * n / work.back();
+}
+
+void Lattice::take_share(const int rank)
+{
+  first_plane_                   = plane_starts_[rank];
+  n_planes_                      = plane_starts_[rank + 1] - first_plane_;
   // Behind the last ghost plane: room for the loads of lanes whose bond does not exist.
-  const std::ptrdiff_t overshoot = (stencil.reach + 1) * row_stride_ + 2 * block_size;
-  size_ = ((n_planes_ + 2 * stencil.reach) * plane_stride_ + overshoot + block_size - 1) /
+  const std::ptrdiff_t overshoot = (stencil_.reach + 1) * row_stride_ + 2 * block_size;
+  size_ = ((n_planes_ + 2 * stencil_.reach) * plane_stride_ + overshoot + block_size - 1) /
           block_size * block_size;
 
   for (auto *masks : {&exists_, &owned_, &free_})
     masks->assign(size_ / block_size, 0);
-  place_points(0, n_planes_all);
+  place_points(0, box_.n[0]);
   find_ranges();
 }
 
@@ -203,8 +240,9 @@ void Lattice::set_intact_bonds(const std::int64_t first, const std::int64_t last
   {
     if (!exists(p))
       continue;
-    const auto c     = coordinates(p);
-    const bool heavy = zone_ == nullptr || has_energy(p, c);
+    const auto c              = coordinates(p);
+    const bool heavy          = zone_ == nullptr || has_energy(p, c);
+    const bool image_in_share = c[1] < 0 && p >= owned_begin() && p < owned_end();
     for (std::size_t k = 0; k < n_offsets; ++k)
     {
       const auto &o = stencil_.offsets[k];
@@ -212,7 +250,11 @@ void Lattice::set_intact_bonds(const std::int64_t first, const std::int64_t last
       if (y < y_low_ || y >= y_high_ || z < 0 || z >= box_.n[2])
         continue;
       const std::ptrdiff_t q = p + shift(o);
-      if (q < size_ && exists(q) && (owned(p) || owned(q)) && (heavy || has_energy(q, {x, y, z})))
+      // An image and a point of the next rank: of no use here, but whoever takes over the plane
+      // needs to know what became of the bond.
+      const bool kept        = image_in_share && y >= 0;
+      if (q < size_ && exists(q) && (owned(p) || owned(q) || kept) &&
+          (heavy || has_energy(q, {x, y, z})))
         bonds[(p / block_size) * n_offsets + k] |= std::uint8_t(1u << (p % block_size));
     }
   }

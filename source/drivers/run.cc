@@ -311,6 +311,7 @@ private:
         z["slaved_cells"]      = far->zone().n_slaved_cells();
         z["ghost_force"]       = far->calibration().ghost_after;
         z["conversions"]       = watch.n_conversions();
+        z["redistributions"]   = watch.n_redistributions();
         z["conversion_loss_J"] = watch.loss() * (scene_.symmetric ? 2. : 1.);
         z["interface_reached_us"] =
             watch.reached() >= 0. ? nlohmann::ordered_json(watch.reached() / us) : nullptr;

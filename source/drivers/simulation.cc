@@ -106,8 +106,10 @@ void Simulation::build_plates()
         std::make_unique<FarField>(communicator_, *plates_.back(), *zone.zone, zone.options);
     zone_watches_.back() = std::make_unique<ZoneWatch>(
         communicator_, *far_fields_.back(),
+        // Contact with a deformable projectile remembers points.
         ZoneWatch::Parameters{scene_.zone.conversion_stretch * bonds.critical_stretch,
-                              scene_.zone.adaptive});
+                              scene_.zone.adaptive,
+                              scene_.projectile.model == ProjectileModel::rigid});
   }
 }
 

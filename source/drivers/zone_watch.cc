@@ -111,6 +111,8 @@ bool ZoneWatch::update(const double time, const double dt)
   loss_ += before - energy(dt);
   points.restore_dilatation(history);
   ++n_conversions_;
+  if (parameters_.rebalance)
+    n_redistributions_ += far_field_.rebalance();
   find_rim();
   return true;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/forces/bond_history.h"
 
+#include "ricochet/discretization/plane_exchange.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -271,6 +273,31 @@ void BondHistory::sum_theta(const LatticeArrays &a)
           for (auto &field : theta_history_)
             field[p] *= 2. * a.half_weight[p];
         });
+}
+
+void BondHistory::redistribute(const PlaneExchange &planes, const std::ptrdiff_t size)
+{
+  const double n_per_point = static_cast<double>(constants_.size() * branches_.size());
+  const auto move          = [&](auto &field, const double per_point)
+  {
+    auto moved = field;
+    moved.assign(static_cast<std::size_t>(size * per_point), 0);
+    planes.move(field.data(), moved.data(), per_point);
+    field = std::move(moved);
+  };
+  if (!single_history_.empty())
+    move(single_history_, n_per_point);
+  if (!double_history_.empty())
+    move(double_history_, n_per_point);
+  for (auto &field : theta_history_)
+    move(field, 1.);
+  move(lost_theta_, 1.);
+  losers_.clear();
+  for (std::ptrdiff_t p = 0; p < size; ++p)
+    if (lost_theta_[p] != 0.)
+      losers_.push_back(p);
+  for (auto *field : {&volumetric_, &dissipated_at_})
+    field->assign(size, 0.);
 }
 
 double BondHistory::bytes_per_point() const

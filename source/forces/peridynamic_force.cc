@@ -2,6 +2,7 @@
 #include "ricochet/forces/peridynamic_force.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/discretization/plane_exchange.h"
 #include "ricochet/discretization/plane_sums.h"
 
 #include <Eigen/Geometry>
@@ -36,7 +37,7 @@ PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number
                                    const PeridynamicMaterial &material, const Lattice::Mask &mask,
                                    const char *instruction_set, const Zone *zone) :
   communicator_(communicator),
-  lattice_(box, stencil, rank_of(communicator), size_of(communicator), mask, zone),
+  number_(number), lattice_(box, stencil, rank_of(communicator), size_of(communicator), mask, zone),
   state_(lattice_), material_(material), halo_(communicator, lattice_, number),
   kernel_(lattice_kernel(material.law->index, instruction_set))
 {
@@ -137,6 +138,40 @@ void PeridynamicForce::follow_zone(const int first, const int last)
       new_bonds_[i] = bonds[i] & ~initial_bonds_[i];
   }
   initial_bonds_ = std::move(bonds);
+  set_families();
+  find_bond_ranges();
+}
+
+void PeridynamicForce::redistribute(const std::vector<int> &plane_starts)
+{
+  Lattice lattice(lattice_, plane_starts, rank_of(communicator_));
+  LatticeState state(lattice);
+  const PlaneExchange planes(communicator_, lattice_, lattice);
+  const auto &from = state_.arrays;
+  auto &to         = state.arrays;
+  for (int d = 0; d < 3; ++d)
+  {
+    planes.move(from.position[d], to.position[d]);
+    planes.move(from.velocity[d], to.velocity[d]);
+  }
+  planes.move(from.theta, to.theta);
+
+  // A ghost's bonds with other ghosts do not exist here.
+  initial_bonds_.assign(to.bonds, to.bonds + lattice.size() / Lattice::block_size * shifts_.size());
+  planes.move(from.bonds, to.bonds, static_cast<double>(shifts_.size()) / Lattice::block_size);
+  for (std::size_t i = 0; i < initial_bonds_.size(); ++i)
+    to.bonds[i] &= initial_bonds_[i];
+  std::vector<char> damaged(lattice.size(), 0);
+  planes.move(damaged_.data(), damaged.data());
+  damaged_ = std::move(damaged);
+  if (history_)
+    history_->redistribute(planes, lattice.size());
+
+  lattice_ = std::move(lattice);
+  state_   = std::move(state);
+  halo_    = Halo(communicator_, lattice_, number_);
+  broken_.resize(initial_bonds_.size());
+  n_broken_ = 0;
   set_families();
   find_bond_ranges();
 }

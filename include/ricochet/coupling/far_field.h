@@ -66,6 +66,10 @@ public:
   /// interface is set up anew. Returns whether anything changed. Collective.
   bool convert(const std::vector<Zone::Cells> &cells);
 
+  /// If the zone has grown so that some rank has too much of it, the points are shared anew; the
+  /// elements stay where they are. Call between steps. Returns whether they were. Collective.
+  bool rebalance();
+
   const Zone &zone() const { return zone_; }
   PeridynamicForce &points() { return points_; }
   const PeridynamicForce &points() const { return points_; }
@@ -76,6 +80,7 @@ public:
 
 private:
   void join();
+  void tie();
   std::vector<ElementStiffness> calibrated_stiffness();
   std::vector<ElementStiffness> blended_stiffness() const;
   void blend_forces();

@@ -48,6 +48,14 @@ public:
   /// points exist. Throws InputError if a rank would own fewer planes than the stencil reaches.
   Lattice(const Box &box, const Stencil &stencil, int rank, int n_ranks, const Mask &mask = {},
           const Zone *zone = nullptr);
+  /// The same body, but of its planes this rank owns plane_starts[rank] <= x < plane_starts[rank +
+  /// 1].
+  Lattice(const Lattice &other, std::vector<int> plane_starts, int rank);
+
+  /// First planes of shares that are fair for the zone as it is now.
+  std::vector<int> fair_plane_starts() const;
+  /// Work of the busiest rank, with these shares and the zone as it is now, over the mean [-].
+  double imbalance(const std::vector<int> &plane_starts) const;
 
   const Box &box() const { return box_; }
   const Stencil &stencil() const { return stencil_; }
@@ -116,6 +124,7 @@ public:
 private:
   /// Lattice coordinates inside the box, images folded back.
   PointKind kind_at(int x, int y, int z) const;
+  void take_share(int rank);
   void place_points(int first, int last);
   void find_ranges();
 

@@ -15,6 +15,7 @@ public:
   {
     double stretch; // of a bond, at which damage is expected [-]
     bool adaptive;
+    bool rebalance = true; // whether ranks share the points anew as the zone grows
   };
 
   /// `far_field` and its points must outlive this object.
@@ -25,6 +26,7 @@ public:
   bool update(double time, double dt);
 
   long n_conversions() const { return n_conversions_; }
+  long n_redistributions() const { return n_redistributions_; } // of points over the ranks
   /// Energy lost in conversions so far, of the plate as computed [J]: lumped masses hold more
   /// kinetic energy than the points they become.
   double loss() const { return loss_; }
@@ -39,7 +41,7 @@ private:
   MPI_Comm communicator_;
   FarField &far_field_;
   Parameters parameters_;
-  long n_updates_ = 0, n_conversions_ = 0;
+  long n_updates_ = 0, n_conversions_ = 0, n_redistributions_ = 0;
   double loss_ = 0., reached_ = -1.;
   std::vector<char> rim_;                       // per cell: within reach of the interface
   std::vector<Lattice::BlockRange> rim_blocks_; // with points of such cells

@@ -26,6 +26,8 @@
 
 namespace ricochet
 {
+class PlaneExchange;
+
 class BondHistory
 {
 public:
@@ -86,6 +88,10 @@ public:
   /// points, ghosts and images too. theta_b of all points is summed anew, with their weights.
   void take_over(const LatticeArrays &arrays, const std::vector<std::uint8_t> &chosen,
                  const std::function<Eigen::Matrix3d(std::ptrdiff_t, int)> &history);
+
+  /// The lattice's planes are moving to other ranks: takes over what belongs to them. `size`: of the
+  /// new share's fields.
+  void redistribute(const PlaneExchange &planes, std::ptrdiff_t size);
 
   double bytes_per_point() const;
 

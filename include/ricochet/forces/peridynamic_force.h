@@ -71,6 +71,11 @@ public:
   /// over, see BondHistory::take_over(), at owned points. Collective.
   void continue_history(TensorFields &histories);
 
+  /// Moves planes between the ranks, with everything that is known of their points: afterwards rank
+  /// r owns plane_starts[r] <= x < plane_starts[r + 1]. Call between steps; flat indices change.
+  /// Collective.
+  void redistribute(const std::vector<int> &plane_starts);
+
   /// Kick and drift of the free points: v += f kick/m, x += v drift; both in s, equal but in a
   /// first half step.
   void advance(double kick, double drift);
@@ -143,6 +148,7 @@ private:
   void weigh_dilatation();
 
   MPI_Comm communicator_;
+  int number_;
   Lattice lattice_;
   LatticeState state_;
   PeridynamicMaterial material_;
