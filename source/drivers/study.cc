@@ -72,8 +72,10 @@ void write_comparison(const StudyParameters &study, const std::vector<Json> &sum
   const Comparison comparison = compare_scenes(study, summaries);
   write_file(directory / "comparison.csv", comparison.csv);
   write_file(directory / "comparison_paths.csv", comparison.paths);
-  std::printf("\nCompared with %s: mean positions at the latest common time, medians of speed and "
-              "cost (smallest to largest)\n\n%s\nIt stands in %s.\n",
+  std::printf("\nCompared with %s. Path error: distance of the mean positions over the reference's "
+              "path, at the latest\nstated time that all have reached; scatter: the same for the "
+              "farthest run of the reference. Speed and cost:\nmedians. In brackets: single runs, "
+              "from the smallest to the largest.\n\n%s\nAll of it stands in %s.\n",
               study.reference.c_str(), comparison.text.c_str(),
               (directory / "comparison.csv").c_str());
   std::fflush(stdout);

@@ -30,6 +30,7 @@ except ImportError as error:
 STYLES = [("#000000", "s"), ("#0072B2", "o"), ("#D55E00", "D"), ("#009E73", "^"), ("#E69F00", "v"), ("#CC79A7", "P"),
           ("#56B4E9", "X"), ("#777777", "*")]
 BAND = "#E4E4E4"
+LEAST = 0.04  # errors below this are no matter of interest [%]
 WANTED = 2.0  # what a zone may add to the path of peridynamics throughout [%]
 SHARES = {1: "1", 1 / 2: "1/2", 1 / 3: "1/3", 1 / 5: "1/5", 1 / 10: "1/10", 1 / 20: "1/20", 1 / 50: "1/50", 1 / 100: "1/100"}
 
@@ -98,9 +99,9 @@ def error_limits(rows, paths):
     for row in rows + paths:
         for name in ("path_error_percent", "path_error_high_percent", "reference_scatter_percent"):
             value = number(row, name)
-            if value is not None and value > 0.02:
+            if value is not None and value > LEAST:
                 values.append(value)
-    return 0.6 * min(values), 1.6 * max(values)
+    return max(LEAST, 0.6 * min(values)), 1.6 * max(values)
 
 
 def set_error_axis(axes, limits):
@@ -177,7 +178,7 @@ def draw_time(axes, rows, paths, styles, limits):
                                   linewidth=0, zorder=0)
             continue
         color, mark = styles[row["scene"]]
-        axes.plot(times, [max(limits[0], number(path, "path_error_percent")) for path in line], color=color, marker=mark,
+        axes.plot(times, [number(path, "path_error_percent") for path in line], color=color, marker=mark,
                   markersize=5, markeredgecolor="white", markeredgewidth=0.6)
     axes.set_xlabel("time [µs]", labelpad=2)
     axes.tick_params(labelleft=False)
@@ -199,6 +200,10 @@ def legend_of(rows, labels, styles, numbers):
             text += ": not compared"
         handles.append(Line2D([], [], color=color, marker=mark, linestyle="", markersize=6.5, markeredgecolor="white"))
         texts.append(text)
+    most = max(int(number(row, "runs") or 0) for row in rows)
+    if most > 1:
+        handles.append(Line2D([], [], color="#555555", linewidth=1))
+        texts.append(f"from the best to the worst of {most} single runs")
     handles += [Patch(color=BAND), Line2D([], [], color="#555555", linewidth=0.9, linestyle=(0, (5, 3)))]
     texts += ["where single runs of the reference lie themselves", f"{WANTED:g} %"]
     return handles, texts
@@ -216,7 +221,7 @@ def draw(directory):
     n_columns = 2 if len(groups) in (1, 2, 4) else 3
     n_rows = max(1, -(-len(groups) // n_columns))
     legend_columns = 2 if n_columns == 2 else 3
-    legend_height = 0.19 * -(-(2 + len(styles)) // legend_columns)
+    legend_height = 0.19 * -(-(3 + len(styles)) // legend_columns)
     width, panel, top = (8.2, 3.3, 0.78) if n_columns == 2 else (9.6, 2.5, 0.78)
     if len(groups) > 1:
         panel += 0.1
