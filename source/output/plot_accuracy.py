@@ -20,7 +20,7 @@ try:
     import matplotlib.pyplot as plt
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
-    from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+    from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 except ImportError as error:
     print(f"plot_accuracy.py: {error}; apt install python3-matplotlib", file=sys.stderr)
     sys.exit(3)
@@ -181,6 +181,7 @@ def draw_time(axes, rows, paths, styles, limits):
         axes.plot(times, [number(path, "path_error_percent") for path in line], color=color, marker=mark,
                   markersize=5, markeredgecolor="white", markeredgewidth=0.6)
     axes.set_xlabel("time [µs]", labelpad=2)
+    axes.xaxis.set_major_locator(MaxNLocator(6))
     axes.tick_params(labelleft=False)
 
 
@@ -224,7 +225,7 @@ def draw(directory):
     legend_height = 0.19 * -(-(3 + len(styles)) // legend_columns)
     width, panel, top = (8.2, 3.3, 0.78) if n_columns == 2 else (9.6, 2.5, 0.78)
     if len(groups) > 1:
-        panel += 0.1
+        top += 0.15
     left, bottom, gap_x, gap_y = 0.62, 0.5, 0.2, 0.95
     height = top + n_rows * panel + (n_rows - 1) * gap_y + bottom + legend_height + 0.12
     figure = plt.figure(figsize=(width, height))
