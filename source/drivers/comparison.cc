@@ -208,7 +208,7 @@ std::vector<Json> line(const std::string &name, const Json &row, const bool is_r
 
 struct Group
 {
-  std::string scene, name; // its scene, and the values of the axes that are not the ensemble's
+  std::string scene, name, title; // its scene; the values of the axes that are not the ensemble's
   Ensemble runs;
   std::size_t n_planned = 0;
 };
@@ -223,7 +223,7 @@ std::vector<Group> groups_of(const StudyParameters &study, const std::vector<Jso
                               [&](const Group &other)
                               { return other.scene == scene && other.name == name; });
     if (group == groups.end())
-      group = groups.insert(groups.end(), {scene, name, {}, 0});
+      group = groups.insert(groups.end(), {scene, name, group_title(study, study.cases[i]), {}, 0});
     ++group->n_planned;
     const Json &summary = summaries[i];
     if (summary.is_object() && !summary.value("failed", true) &&
@@ -324,7 +324,7 @@ Comparison compare_scenes(const StudyParameters &study, const std::vector<Json> 
                      { return other.scene == study.reference && other.name == group.name; })
             ->runs;
     const Json row = compare(group.runs, reference);
-    std::vector<Json> cells{name, group.scene, group.name,
+    std::vector<Json> cells{name, group.scene, group.title,
                             group.runs.empty() ? Json() : group.runs[0].value("title", Json()),
                             named(study.reference)};
     for (const auto &column : value_columns)

@@ -133,12 +133,14 @@ def draw_cost(axes, rows, styles, limits, costs):
     axes.xaxis.set_major_locator(FixedLocator([tick for tick in ticks if costs[0] <= tick <= costs[1]]))
     axes.xaxis.set_minor_locator(NullLocator())
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    # The reference itself may reach a later time than any of the others.
+    compared = [row for row in rows if not is_reference(row) and number(row, "reference_scatter_percent") is not None]
+    if compared:
+        latest = max(compared, key=lambda row: number(row, "compared_at_us"))
+        axes.axhspan(limits[0], number(latest, "reference_scatter_percent"), color=BAND, linewidth=0, zorder=0)
     for row in rows:
         color, mark = styles[row["scene"]]
         cost = number(row, "core_seconds")
-        scatter = number(row, "reference_scatter_percent")
-        if is_reference(row) and scatter is not None:
-            axes.axhspan(limits[0], scatter, color=BAND, linewidth=0, zorder=0)
         if cost is None or (number(row, "path_error_percent") is None and not is_reference(row)):
             continue
         # The reference has no error; it stands on the floor.
@@ -219,13 +221,13 @@ def draw(directory):
     labels, shared = labels_of(rows)
     groups = list(dict.fromkeys(row["group"] for row in rows))
     limits, costs = error_limits(rows, paths if len(groups) == 1 else []), cost_limits(rows)
-    n_columns = 2 if len(groups) in (1, 2, 4) else 3
+    n_columns = 3 if len(groups) % 3 == 0 and len(groups) % 2 else 2
     n_rows = max(1, -(-len(groups) // n_columns))
     legend_columns = 2 if n_columns == 2 else 3
     legend_height = 0.19 * -(-(3 + len(styles)) // legend_columns)
     width, panel, top = (8.2, 3.3, 0.78) if n_columns == 2 else (9.6, 2.5, 0.78)
     if len(groups) > 1:
-        top += 0.15
+        top, panel = top + 0.15, 2.5
     left, bottom, gap_x, gap_y = 0.62, 0.5, 0.2, 0.95
     height = top + n_rows * panel + (n_rows - 1) * gap_y + bottom + legend_height + 0.12
     figure = plt.figure(figsize=(width, height))
@@ -246,8 +248,8 @@ def draw(directory):
         axes.set_xlabel("core-seconds of a run", labelpad=2)
         axes.text(0, 1 + 0.17 / panel, "cost as a share of the reference's", transform=axes.transAxes, size=8,
                   color="#555555", va="bottom")
-        if group != "-" and group:
-            axes.text(0, 1 + 0.34 / panel, group.replace("__", ", ").replace("_", " "), transform=axes.transAxes, size=9,
+        if group:
+            axes.text(0, 1 + 0.34 / panel, group, transform=axes.transAxes, size=9,
                       weight="bold", va="bottom")
         if i % n_columns == 0:
             axes.set_ylabel("error of the path [%]", labelpad=2)

@@ -295,4 +295,17 @@ std::string group_name(const StudyParameters &study, const StudyCase &one)
       name += (name.empty() ? "" : "__") + value_name(a, one.values[a], study.axes);
   return name;
 }
+
+std::string group_title(const StudyParameters &study, const StudyCase &one)
+{
+  std::vector<std::string> titles;
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    if (const StudyAxis &axis = study.axes[a]; !axis.is_ensemble)
+    {
+      const std::string title = joined(split(axis.values[one.values[a]], ';'));
+      const bool is_number    = title.find_first_not_of("0123456789.+-eE, ") == std::string::npos;
+      titles.push_back(is_number ? lower_case(axis.entries[0].name) + " " + title : title);
+    }
+  return joined(titles);
+}
 } // namespace ricochet

@@ -178,12 +178,12 @@ TEST(Comparison, ScenesMeetTheReferenceUnderTheSameValues)
     lines.push_back(line);
   ASSERT_EQ(lines.size(), 5U);
   EXPECT_EQ(lines[0].rfind("case,scene,group,title,reference,runs,outcomes,same_outcome,", 0), 0U);
-  EXPECT_EQ(lines[2].rfind("zone__speed_700_m_s,zone,speed_700_m_s,Test,full__speed_700_m_s,2,"
+  EXPECT_EQ(lines[2].rfind("zone__speed_700_m_s,zone,700 m/s,Test,full__speed_700_m_s,2,"
                            "2 ricochet,1.0,100.0,100.0,1.0,",
                            0),
             0U)
       << lines[2];
-  EXPECT_EQ(lines[4].rfind("zone__speed_800_m_s,zone,speed_800_m_s,Test,full__speed_800_m_s,2,"
+  EXPECT_EQ(lines[4].rfind("zone__speed_800_m_s,zone,800 m/s,Test,full__speed_800_m_s,2,"
                            "2 ricochet,1.0,100.0,200.0,1.0,",
                            0),
             0U)
@@ -197,11 +197,11 @@ TEST(Comparison, FailedAndInterruptedRunsDoNotTakePart)
   summaries[2]["failed"]      = true;    // full, 700 m/s, second
   summaries[3]["interrupted"] = true;    // zone, 700 m/s, second
   const Comparison comparison = compare_scenes(small_study(), summaries);
-  EXPECT_NE(comparison.csv.find("\nfull__speed_700_m_s,full,speed_700_m_s,Test,"
+  EXPECT_NE(comparison.csv.find("\nfull__speed_700_m_s,full,700 m/s,Test,"
                                 "full__speed_700_m_s,1,1 ricochet,"),
             std::string::npos)
       << comparison.csv;
-  EXPECT_NE(comparison.csv.find("\nzone__speed_700_m_s,zone,speed_700_m_s,-,"
+  EXPECT_NE(comparison.csv.find("\nzone__speed_700_m_s,zone,700 m/s,-,"
                                 "full__speed_700_m_s,0,-,-,-,"),
             std::string::npos)
       << comparison.csv;

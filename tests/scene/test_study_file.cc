@@ -173,6 +173,7 @@ TEST_F(StudyFile, ComparedScenesRunOneAfterTheOther)
 
   const auto single = study(compared + "set Reference = scenes/one.prm\n");
   EXPECT_EQ(group_name(single, single.cases[1]), "speed_700_m_s__safety_factor_0.6");
+  EXPECT_EQ(group_title(single, single.cases[1]), "700 m/s, safety factor 0.6");
 }
 
 TEST_F(StudyFile, WrongComparisonsAreExplained)

@@ -57,6 +57,9 @@ struct StudyParameters
 /// of the ensemble, "" if there are none. One at a time is not supported.
 std::string group_name(const StudyParameters &study, const StudyCase &one);
 
+/// The same to be read: "1.5 mm, 198 mm"; plain numbers carry the name of their entry.
+std::string group_title(const StudyParameters &study, const StudyCase &one);
+
 /**
  * Reads a study and every one of its cases, so that a mistake in the last one is found before the
  * first one runs. Throws InputError or FileError like ParameterFile and read_scene.
