@@ -2,12 +2,14 @@
 #include "ricochet/drivers/study.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/drivers/comparison.h"
 #include "ricochet/drivers/run.h"
 #include "ricochet/drivers/stability_run.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
 #include "ricochet/output/result_directory.h"
+#include "ricochet/output/table.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/stability_reader.h"
 #include "ricochet/scene/study_file.h"
@@ -59,96 +61,24 @@ Json finished_summary(const MPI_Comm communicator, const StudyCase &c,
   return finished ? (summary.is_object() ? summary : Json::object()) : Json();
 }
 
-/// Four digits for the eye; all of them for the CSV.
-std::string cell_text(const Json &value, const bool all_digits)
-{
-  if (value.is_string())
-    return value.get<std::string>();
-  if (value.is_number_integer() || value.is_boolean() || (all_digits && value.is_number()))
-    return value.dump();
-  if (!value.is_number())
-    return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value.get<double>());
-  return text;
-}
-
-class Table
-{
-public:
-  explicit Table(const std::vector<std::string> &columns) : columns_(columns) {}
-
-  void add(const std::string &name, const Json &summary, const std::string &status)
-  {
-    std::vector<Json> row{name};
-    for (const auto &column : columns_)
-      row.push_back(summary.is_object() ? summary.value(column, Json()) : Json());
-    row.push_back(status);
-    rows_.push_back(row);
-  }
-
-  std::string csv() const
-  {
-    std::string text;
-    for (const auto &row : with_header(/*all_digits=*/true))
-    {
-      for (std::size_t i = 0; i < row.size(); ++i)
-      {
-        std::string cell = row[i];
-        if (cell.find_first_of(",\"\n") != std::string::npos)
-        {
-          for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2)
-            cell.insert(at, 1, '"');
-          cell = '"' + cell + '"';
-        }
-        text += (i ? "," : "") + cell;
-      }
-      text += '\n';
-    }
-    return text;
-  }
-
-  void print() const
-  {
-    const auto rows = with_header(/*all_digits=*/false);
-    std::vector<std::size_t> width(rows[0].size(), 0);
-    for (const auto &row : rows)
-      for (std::size_t i = 0; i < row.size(); ++i)
-        width[i] = std::max(width[i], row[i].size());
-    for (const auto &row : rows)
-    {
-      for (std::size_t i = 0; i < row.size(); ++i)
-        std::printf(i == 0                ? "%-*s"
-                    : i + 1 == row.size() ? "  %-*s"
-                                          : "  %*s",
-                    i + 1 == row.size() ? 0 : static_cast<int>(width[i]), row[i].c_str());
-      std::printf("\n");
-    }
-    std::fflush(stdout);
-  }
-
-private:
-  std::vector<std::vector<std::string>> with_header(const bool all_digits) const
-  {
-    std::vector<std::vector<std::string>> rows{{"case"}};
-    rows[0].insert(rows[0].end(), columns_.begin(), columns_.end());
-    rows[0].push_back("status");
-    for (const auto &row : rows_)
-    {
-      rows.emplace_back();
-      for (const auto &cell : row)
-        rows.back().push_back(cell_text(cell, all_digits));
-    }
-    return rows;
-  }
-
-  std::vector<std::string> columns_;
-  std::vector<std::vector<Json>> rows_;
-};
-
 bool is_experiment(const StudyCase &c)
 {
   return is_stability_file(ParameterFile(c.scene_file, c.overrides));
+}
+
+void write_comparison(const StudyParameters &study, const std::vector<Json> &summaries,
+                      const std::filesystem::path &directory)
+{
+  const Comparison comparison = compare_scenes(study, summaries);
+  write_file(directory / "comparison.csv", comparison.csv);
+  write_file(directory / "comparison_paths.csv", comparison.paths);
+  std::printf("\nCompared with %s. Path error: distance of the mean positions over the reference's "
+              "path, at the latest\nstated time that all have reached; scatter: the same for the "
+              "farthest run of the reference. Speed and cost:\nmedians. In brackets: single runs, "
+              "from the smallest to the largest.\n\n%s\nAll of it stands in %s.\n",
+              study.reference.c_str(), comparison.text.c_str(),
+              (directory / "comparison.csv").c_str());
+  std::fflush(stdout);
 }
 } // namespace
 
@@ -174,15 +104,20 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
   const auto &cases         = parameters.cases;
   const bool is_map         = std::all_of(cases.begin(), cases.end(), is_experiment);
   const auto &usual_columns = is_map ? stability_columns : default_columns;
-  Table table(parameters.columns.empty() ? usual_columns : parameters.columns);
+  const auto &chosen        = parameters.columns.empty() ? usual_columns : parameters.columns;
+  std::vector<std::string> columns{"case"};
+  columns.insert(columns.end(), chosen.begin(), chosen.end());
+  columns.push_back("status");
+  Table table(columns);
+  std::vector<Json> summaries(cases.size());
   int n_failed = 0;
-  for (std::size_t i = 0; i < parameters.cases.size(); ++i)
+  for (std::size_t i = 0; i < cases.size(); ++i)
   {
-    const auto &c      = parameters.cases[i];
+    const auto &c      = cases[i];
     Json summary       = finished_summary(communicator, c, directory / c.name);
     std::string status = "finished before";
     if (speaks)
-      std::printf("[%zu/%zu] %s%s\n", i + 1, parameters.cases.size(), c.name.c_str(),
+      std::printf("[%zu/%zu] %s%s\n", i + 1, cases.size(), c.name.c_str(),
                   summary.is_null() ? "" : ": finished before");
     std::fflush(stdout);
     if (summary.is_null())
@@ -200,7 +135,12 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
         status = std::string("failed: ") + error.what();
         ++n_failed;
       }
-    table.add(c.name, summary, status);
+    std::vector<Json> row{c.name};
+    for (const auto &column : chosen)
+      row.push_back(summary.is_object() ? summary.value(column, Json()) : Json());
+    row.push_back(status);
+    table.add(row);
+    summaries[i] = summary;
     on_first_rank(communicator, [&] { write_file(directory / "study.csv", table.csv()); });
     if (status == "interrupted")
       break;
@@ -208,15 +148,19 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
   if (speaks)
   {
     std::printf("\n%s\n\n", parameters.title.c_str());
-    table.print();
-    std::printf("\nThe table stands in %s.\n", (directory / "study.csv").c_str());
+    std::printf("%s\nThe table stands in %s.\n", table.text().c_str(),
+                (directory / "study.csv").c_str());
     std::fflush(stdout);
   }
+  if (!parameters.reference.empty())
+    on_first_rank(communicator, [&] { write_comparison(parameters, summaries, directory); });
   if (parameters.pictures && is_map)
     draw_stability_map(communicator, directory / "study.csv", directory / "map.png",
                        /*quiet=*/false);
   else if (parameters.pictures)
     draw_study_picture(communicator, directory, /*quiet=*/false);
+  if (parameters.pictures && !parameters.reference.empty())
+    draw_accuracy_chart(communicator, directory, /*quiet=*/false);
   return n_failed;
 }
 } // namespace ricochet

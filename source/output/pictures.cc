@@ -166,6 +166,15 @@ bool draw_study_picture(const MPI_Comm comm, const std::filesystem::path &direct
   return drawn != 0;
 }
 
+bool draw_accuracy_chart(const MPI_Comm comm, const std::filesystem::path &directory,
+                         const bool quiet)
+{
+  int drawn = 0;
+  on_first_rank(comm, [&] { drawn = draw("plot_accuracy.py", {directory}, quiet); });
+  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
+  return drawn != 0;
+}
+
 bool draw_search_plot(const MPI_Comm comm, const std::filesystem::path &rows,
                       const std::filesystem::path &picture, const bool quiet)
 {

@@ -448,13 +448,25 @@ std::vector<SectionDeclaration> study_declarations(const std::string &stem)
        with_default("Combine", choice({"all", "one at a time"}), "all",
                     "Whether the axes' values are combined, or each scene is run as it is and then "
                     "with one value of one axis at a time"),
+       optional("Settings", text("Section/Entry: value; Section/Entry: value"),
+                "Output/Pictures: false; Output/ParaView files: false",
+                "Entries that all cases share"),
+       optional("Reference", text("one of the scenes"), "base.prm",
+                "The scene that the others are compared with, under the same values of the axes: "
+                "outcome, path, exit speed, cost"),
+       optional("Ensemble", text("axes separated by commas"), "Axis 2",
+                "With a reference: axes that only repeat a run, for its scatter; runs that differ "
+                "in them alone are taken together"),
        with_default("Pictures", flag(), "true",
-                    "Whether a comparison of the first eight cases is drawn at the end")},
+                    "Whether a comparison of the first eight cases is drawn at the end; with a "
+                    "reference also a chart of accuracy against cost")},
       {}};
   for (int number = 1; number <= most_axes; ++number)
     study.entries.push_back(optional(
         "Axis " + std::to_string(number), text("Section/Entry: value | value"),
-        "Plate 1/Grid spacing: 1.5 mm | 1.0 mm", "An entry of the scenes and the values it takes"));
+        "Plate 1/Grid spacing: 1.5 mm | 1.0 mm",
+        "An entry of the scenes and the values it takes; several entries, with commas between "
+        "them, take the same value or one each: 'value; value | value; value'"));
   return {study};
 }
 } // namespace ricochet

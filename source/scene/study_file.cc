@@ -55,6 +55,11 @@ StudyAxis read_axis(const Parameters &parameters, const std::string &name)
     if (std::find(axis.values.begin(), value, *value) != value)
       parameters.fail(section, name, "The value " + in_quotes(*value) + " stands there twice.",
                       "Remove one of them.");
+    if (const auto n = split(*value, ';').size(); n != 1 && n != axis.entries.size())
+      parameters.fail(section, name,
+                      in_quotes(*value) + " gives " + std::to_string(n) + " values to " +
+                          std::to_string(axis.entries.size()) + " entries.",
+                      "Write one value for all entries, or one for each with ';' between them.");
   }
   return axis;
 }
@@ -87,21 +92,34 @@ std::string short_name(const StudyAxis &axis, const std::vector<StudyAxis> &axes
   return file_name_of(lower_case(n_same > 1 ? entry.section + " " + entry.name : entry.name));
 }
 
+std::string value_name(const std::size_t axis, const std::size_t value,
+                       const std::vector<StudyAxis> &axes)
+{
+  return short_name(axes[axis], axes) + "_" + file_name_of(axes[axis].values[value]);
+}
+
+std::string scene_name(const std::string &scene)
+{
+  return file_name_of(fs::path(scene).stem().string());
+}
+
 std::vector<StudyCase> cases_of(const std::string &scene, const std::vector<StudyAxis> &axes)
 {
-  std::vector<StudyCase> cases{{file_name_of(fs::path(scene).stem().string()), scene, {}}};
-  for (const auto &axis : axes)
+  std::vector<StudyCase> cases{{scene_name(scene), scene, {}, scene_name(scene), {}}};
+  for (std::size_t a = 0; a < axes.size(); ++a)
   {
     std::vector<StudyCase> finer;
     for (const auto &coarse : cases)
-      for (const auto &value : axis.values)
+      for (std::size_t v = 0; v < axes[a].values.size(); ++v)
       {
         StudyCase next = coarse;
-        next.name += "__" + short_name(axis, axes) + "_" + file_name_of(value);
-        for (ParameterEntry entry : axis.entries)
+        next.name += "__" + value_name(a, v, axes);
+        next.values.push_back(v);
+        const auto parts = split(axes[a].values[v], ';');
+        for (std::size_t e = 0; e < axes[a].entries.size(); ++e)
         {
-          entry.value = value;
-          next.overrides.push_back(entry);
+          next.overrides.push_back(axes[a].entries[e]);
+          next.overrides.back().value = parts[parts.size() == 1 ? 0 : e];
         }
         finer.push_back(next);
       }
@@ -133,11 +151,76 @@ void check_names(const Parameters &parameters, const std::vector<StudyCase> &cas
                             : "Rename " + in_quotes(one->scene_file) + " or " +
                                   in_quotes(other->scene_file) + ".");
 }
-void check_case(const StudyCase &one)
+
+/// Entries that all cases share, "Section/Entry: value; Section/Entry: value".
+std::vector<ParameterEntry> read_settings(const Parameters &parameters)
+{
+  const std::string name = "Settings", text = parameters.text(section, name);
+  std::vector<ParameterEntry> settings;
+  if (text.empty())
+    return settings;
+  for (const auto &part : split(text, ';'))
+  {
+    const auto colon = part.find(':');
+    if (colon == std::string::npos || part.find('/') > colon)
+      parameters.fail(section, name, in_quotes(part) + " is no entry with its value.",
+                      "Write 'Section/Entry: value; Section/Entry: value', for example "
+                      "'Output/Pictures: false'.");
+    settings.push_back(parse_override(part.substr(0, colon) + "=" + part.substr(colon + 1),
+                                      parameters.origin(section, name) + " (" + name + ")"));
+  }
+  return settings;
+}
+
+void read_ensemble(const Parameters &parameters, std::vector<StudyAxis> &axes,
+                   const std::vector<std::string> &names)
+{
+  for (const auto &wanted : read_list(parameters, "Ensemble"))
+  {
+    const auto found = std::find(names.begin(), names.end(), wanted);
+    if (found == names.end())
+      parameters.fail(section, "Ensemble", in_quotes(wanted) + " is no axis of this study.",
+                      names.empty() ? "The study has no axis: add 'Axis 1', for example over "
+                                      "'Time/Safety factor'."
+                                    : "Name one of " + joined(names, " or ") + ".");
+    axes[found - names.begin()].is_ensemble = true;
+  }
+}
+
+/// The name of the scene that the others are compared with, or "".
+std::string read_reference(const Parameters &parameters, const StudyParameters &study,
+                           const std::vector<std::string> &scenes)
+{
+  const std::string name = "Reference", text = parameters.text(section, name);
+  if (text.empty())
+  {
+    if (parameters.is_given(section, "Ensemble"))
+      parameters.fail(section, "Ensemble", "There is no reference to compare ensembles with.",
+                      "Name one of the scenes: 'set Reference = " + scenes.front() + "'.");
+    return "";
+  }
+  if (std::find(scenes.begin(), scenes.end(), text) == scenes.end())
+    parameters.fail(section, name, in_quotes(text) + " is not among the scenes.",
+                    "Write it as it stands in 'Scenes': " + joined(scenes, " or ") + ".");
+  if (scenes.size() < 2)
+    parameters.fail(section, name, "There is nothing to compare with it.",
+                    "Add another scene to 'Scenes'.");
+  if (study.one_at_a_time)
+    parameters.fail(section, name,
+                    "Cases are compared under the same values of all axes, but the axes are "
+                    "varied one at a time.",
+                    "Remove 'Combine', or the reference.");
+  return scene_name(text);
+}
+
+void check_case(const StudyCase &one, const bool is_compared)
 {
   try
   {
     const ParameterFile file(one.scene_file, one.overrides);
+    if (is_stability_file(file) && is_compared)
+      throw InputError(one.scene_file + ": A stability experiment has no path and cannot be "
+                                        "compared with a reference.\n  Remove 'Study/Reference'.");
     if (is_stability_file(file))
       read_stability(file);
     else
@@ -167,11 +250,19 @@ StudyParameters read_study(const std::string &path)
   study.columns          = read_list(parameters, "Columns");
   study.one_at_a_time    = parameters.text(section, "Combine") == "one at a time";
   study.pictures         = parameters.flag(section, "Pictures");
+  std::vector<std::string> axis_names;
   for (int number = 1; number <= most_axes; ++number)
     if (const auto name = "Axis " + std::to_string(number); parameters.is_given(section, name))
+    {
       study.axes.push_back(read_axis(parameters, name));
+      axis_names.push_back(name);
+    }
+  const auto scenes   = read_list(parameters, "Scenes");
+  const auto settings = read_settings(parameters);
+  study.reference     = read_reference(parameters, study, scenes);
+  read_ensemble(parameters, study.axes, axis_names);
 
-  for (const auto &scene : read_list(parameters, "Scenes"))
+  for (const auto &scene : scenes)
   {
     study.scenes.push_back((fs::path(path).parent_path() / scene).lexically_normal().string());
     if (!fs::exists(study.scenes.back()))
@@ -182,13 +273,39 @@ StudyParameters read_study(const std::string &path)
       study.cases.push_back(std::move(next));
   }
   check_names(parameters, study.cases);
+  if (!study.reference.empty())
+    std::stable_sort(study.cases.begin(), study.cases.end(),
+                     [](const auto &a, const auto &b) { return a.values < b.values; });
 
   for (auto &one : study.cases)
   {
+    one.overrides.insert(one.overrides.end(), settings.begin(), settings.end());
     one.overrides.push_back({"Output", "Directory", study.output_directory + "/" + one.name,
                              parameters.origin(section, "Output directory")});
-    check_case(one);
+    check_case(one, !study.reference.empty());
   }
   return study;
+}
+
+std::string group_name(const StudyParameters &study, const StudyCase &one)
+{
+  std::string name;
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    if (!study.axes[a].is_ensemble)
+      name += (name.empty() ? "" : "__") + value_name(a, one.values[a], study.axes);
+  return name;
+}
+
+std::string group_title(const StudyParameters &study, const StudyCase &one)
+{
+  std::vector<std::string> titles;
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    if (const StudyAxis &axis = study.axes[a]; !axis.is_ensemble)
+    {
+      const std::string title = joined(split(axis.values[one.values[a]], ';'));
+      const bool is_number    = title.find_first_not_of("0123456789.+-eE, ") == std::string::npos;
+      titles.push_back(is_number ? lower_case(axis.entries[0].name) + " " + title : title);
+    }
+  return joined(titles);
 }
 } // namespace ricochet

@@ -143,6 +143,64 @@ TEST(Pictures, OfAStudyWithoutResultsSayWhy)
   EXPECT_EQ(contains(text, "no case of"), rank() == 0) << text;
 }
 
+const std::string comparison_header =
+    "case,scene,group,title,reference,runs,outcomes,same_outcome,compared_at_us,reference_path_mm,"
+    "path_error_percent,path_error_low_percent,path_error_high_percent,reference_scatter_percent,"
+    "exit_speed_m_s,exit_speed_low_m_s,exit_speed_high_m_s,exit_speed_error_percent,core_seconds,"
+    "core_seconds_low,core_seconds_high,cost_ratio\n";
+
+TEST(Pictures, OfAComparisonWithAReference)
+{
+  if (!python_has_modules())
+    GTEST_SKIP() << "python3 has no matplotlib or h5py";
+  for (const std::string &group :
+       {std::string(), std::string("speed_800_m_s")}) // one panel with time beside it, two
+  {
+    const ScratchDirectory scratch;
+    if (rank() == 0)
+    {
+      std::ofstream table(scratch.path() / "comparison.csv");
+      std::ofstream paths(scratch.path() / "comparison_paths.csv");
+      table << comparison_header;
+      paths << "case,stated_us,reference_path_mm,path_error_percent,path_error_low_percent,"
+               "path_error_high_percent,reference_scatter_percent\n";
+      for (const std::string &value : {std::string(), group})
+      {
+        table << "full" << value << ",full," << value << ",\"A, full\",full" << value
+              << ",2,2 ricochet,1.0,260.0,100.0,0.0,0.5,0.7,0.7,300,290,310,0.0,5,4.9,5.1,1.0\n"
+              << "zone" << value << ",zone," << value << ",\"A, zone\",full" << value
+              << ",2,2 ricochet,1.0,260.0,100.0,1.2,0.5,1.7,0.7,300,290,310,0.0,2,1.9,2.1,0.4\n"
+              << "none" << value << ",none," << value << ",-,full" << value
+              << ",0,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-\n"; // all runs have failed
+        paths << "full" << value << ",260.0,100.0,0.0,0.5,0.7,0.7\n"
+              << "zone" << value << ",260.0,100.0,1.2,0.5,1.7,0.7\n";
+        if (group.empty())
+          break;
+      }
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    EXPECT_TRUE(draw_accuracy_chart(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+    EXPECT_TRUE(is_png(scratch.path() / "accuracy.png"));
+  }
+}
+
+TEST(Pictures, OfAComparisonWithoutRunsSayWhy)
+{
+  if (!python_has_modules())
+    GTEST_SKIP() << "python3 has no matplotlib or h5py";
+  const ScratchDirectory scratch;
+  if (rank() == 0)
+  {
+    std::ofstream(scratch.path() / "comparison.csv") << comparison_header;
+    std::ofstream(scratch.path() / "comparison_paths.csv") << "case\n";
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE(draw_accuracy_chart(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+  const std::string text = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(contains(text, "no run could be compared"), rank() == 0) << text;
+}
+
 TEST(Pictures, WithoutResultsSayWhy)
 {
   if (!python_has_modules())

@@ -93,5 +93,24 @@ TEST(PrmFiles, SinglePlateStudyHasAllCasesOnTwoGrids)
   EXPECT_EQ(study.cases.size(), 14U);
   EXPECT_EQ(study.cases[2].name, "angle_10__grid_spacing_1.5_mm");
 }
+
+TEST(PrmFiles, CoupledStudiesCompareEnsemblesWithPeridynamicsThroughout)
+{
+  for (const auto &[name, n_cases] :
+       {std::pair("accuracy", 20U), {"plate_size", 36U}, {"cases", 72U}})
+  {
+    const auto study = read_study((prm_folder / "coupled" / (std::string(name) + ".prm")).string());
+    EXPECT_EQ(study.reference, "base_full") << name;
+    EXPECT_EQ(study.cases.size(), n_cases) << name;
+    EXPECT_TRUE(study.axes.back().is_ensemble) << name;
+    EXPECT_EQ(study.axes.back().values.size(), 4U) << name;
+    for (const auto &one : study.cases) // what is timed writes no pictures and no fields
+    {
+      const Scene scene = read_scene(ParameterFile(one.scene_file, one.overrides));
+      EXPECT_FALSE(scene.output.pictures || scene.output.vtu) << one.name;
+      EXPECT_EQ(scene.output.frame_interval, 0.) << one.name;
+    }
+  }
+}
 } // namespace
 } // namespace ricochet

@@ -4,6 +4,8 @@
 #include "ricochet/scene/scene_reader.h"
 #include "scene_text.h"
 
+#include <cmath>
+
 namespace ricochet::tests
 {
 namespace
@@ -110,6 +112,90 @@ TEST_F(StudyFile, AxisMayChangeSeveralEntriesTogether)
   const Scene scene = read_scene(ParameterFile(read.cases[1].scene_file, read.cases[1].overrides));
   EXPECT_DOUBLE_EQ(scene.contact.friction.static_coefficient, 0.2);
   EXPECT_DOUBLE_EQ(scene.contact.friction.kinetic_coefficient, 0.2);
+}
+
+TEST_F(StudyFile, AxisMayGiveEachOfItsEntriesItsOwnValue)
+{
+  const std::string scenes = "set Scenes = scenes/one.prm\n";
+  const auto read          = study(scenes + "set Axis 1 = Impact/Speed, Impact/Incidence angle: "
+                                                     "700 m/s; 45 deg | 800 m/s; 30 deg\n");
+  EXPECT_EQ(case_names(read), (Names{"one__speed_700_m_s_45_deg", "one__speed_800_m_s_30_deg"}));
+  const Scene scene = read_scene(ParameterFile(read.cases[0].scene_file, read.cases[0].overrides));
+  EXPECT_DOUBLE_EQ(scene.impact.speed, 700.);
+  EXPECT_NEAR(scene.impact.incidence_angle, std::acos(-1.) / 4., 1e-12);
+  expect_study_error(scenes + "set Axis 1 = Impact/Speed: 700 m/s; 45 deg\n",
+                     {"study.prm:3", "2 values to 1 entries", "one for each with ';'"});
+}
+
+TEST_F(StudyFile, SettingsHoldInAllCases)
+{
+  const std::string scenes = "set Scenes = scenes/one.prm, scenes/two.prm\n";
+  const auto read =
+      study(scenes + "set Settings = Impact/Speed: 650 m/s; Output/Pictures: false\n");
+  EXPECT_EQ(case_names(read), (Names{"one", "two"}));
+  for (const auto &one : read.cases)
+  {
+    const Scene scene = read_scene(ParameterFile(one.scene_file, one.overrides));
+    EXPECT_DOUBLE_EQ(scene.impact.speed, 650.);
+    EXPECT_FALSE(scene.output.pictures);
+  }
+  expect_study_error(scenes + "set Settings = Impact/Speed 650 m/s\n",
+                     {"study.prm:3", "'Impact/Speed 650 m/s' is no entry", "Section/Entry: value"});
+  expect_study_error(scenes + "set Settings = Impact/Speed: 650 m/s;\n",
+                     {"study.prm:3", "is no entry"});
+  expect_study_error(scenes + "set Settings = Impact/Sped: 650 m/s\n",
+                     {"study.prm:3 (Settings)", "did you mean 'Speed'?"});
+  expect_study_error(scenes + "set Settings = Impact/Speed: 650 m/s\n"
+                              "set Axis 1 = Impact/Speed: 700 m/s\n",
+                     {"study.prm:3 (Settings)", "set twice", "study.prm:4 (Axis 1)"});
+}
+
+const std::string compared = "set Scenes = scenes/one.prm, scenes/two.prm\n"
+                             "set Axis 1 = Impact/Speed: 700 m/s | 800 m/s\n"
+                             "set Axis 2 = Time/Safety factor: 0.6 | 0.7\n";
+
+TEST_F(StudyFile, ComparedScenesRunOneAfterTheOther)
+{
+  EXPECT_EQ(study(compared).reference, "");
+  const auto read = study(compared + "set Reference = scenes/two.prm\nset Ensemble = Axis 2\n");
+  EXPECT_EQ(read.reference, "two");
+  EXPECT_FALSE(read.axes[0].is_ensemble);
+  EXPECT_TRUE(read.axes[1].is_ensemble);
+  EXPECT_EQ(
+      case_names(read),
+      (Names{"one__speed_700_m_s__safety_factor_0.6", "two__speed_700_m_s__safety_factor_0.6",
+             "one__speed_700_m_s__safety_factor_0.7", "two__speed_700_m_s__safety_factor_0.7",
+             "one__speed_800_m_s__safety_factor_0.6", "two__speed_800_m_s__safety_factor_0.6",
+             "one__speed_800_m_s__safety_factor_0.7", "two__speed_800_m_s__safety_factor_0.7"}));
+  EXPECT_EQ(read.cases[5].scene, "two");
+  EXPECT_EQ(group_name(read, read.cases[1]), "speed_700_m_s");
+  EXPECT_EQ(group_name(read, read.cases[7]), "speed_800_m_s");
+
+  const auto single = study(compared + "set Reference = scenes/one.prm\n");
+  EXPECT_EQ(group_name(single, single.cases[1]), "speed_700_m_s__safety_factor_0.6");
+  EXPECT_EQ(group_title(single, single.cases[1]), "700 m/s, safety factor 0.6");
+}
+
+TEST_F(StudyFile, WrongComparisonsAreExplained)
+{
+  expect_study_error(compared + "set Reference = scenes/three.prm\n",
+                     {"study.prm:5", "'scenes/three.prm' is not among the scenes",
+                      "scenes/one.prm or scenes/two.prm"});
+  expect_study_error("set Scenes = scenes/one.prm\nset Reference = scenes/one.prm\n",
+                     {"study.prm:3", "nothing to compare", "Add another scene"});
+  expect_study_error(compared + "set Combine = one at a time\nset Reference = scenes/one.prm\n",
+                     {"study.prm:6", "one at a time", "Remove 'Combine'"});
+  expect_study_error(compared + "set Ensemble = Axis 2\n",
+                     {"study.prm:5", "no reference", "set Reference = scenes/one.prm"});
+  expect_study_error(compared + "set Reference = scenes/one.prm\nset Ensemble = Axis 3\n",
+                     {"study.prm:6", "'Axis 3' is no axis", "Axis 1 or Axis 2"});
+  expect_study_error("set Scenes = scenes/one.prm, scenes/two.prm\n"
+                     "set Reference = scenes/one.prm\nset Ensemble = Axis 1\n",
+                     {"study.prm:4", "has no axis", "Time/Safety factor"});
+  folder.write("scenes/noise.prm", "subsection Stability\nend\n");
+  expect_study_error("set Scenes = scenes/one.prm, scenes/noise.prm\n"
+                     "set Reference = scenes/one.prm\n",
+                     {"noise.prm", "stability experiment has no path", "'noise'"});
 }
 
 TEST_F(StudyFile, EqualNamesOfTwoAxesCarryTheirSection)

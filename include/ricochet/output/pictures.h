@@ -19,6 +19,10 @@ bool draw_pictures(MPI_Comm comm, const std::filesystem::path &directory, bool q
 /// the folders of the cases. Collective.
 bool draw_study_picture(MPI_Comm comm, const std::filesystem::path &directory, bool quiet);
 
+/// The same with plot_accuracy.py: draws DIRECTORY/accuracy.png, the error of the path against the
+/// cost, from comparison.csv and comparison_paths.csv. Collective.
+bool draw_accuracy_chart(MPI_Comm comm, const std::filesystem::path &directory, bool quiet);
+
 /// The same with plot_search.py: draws the PNG `picture` from the rows of `ricochet bench search
 /// --json`, one JSON object per line. Collective.
 bool draw_search_plot(MPI_Comm comm, const std::filesystem::path &rows,

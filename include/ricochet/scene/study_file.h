@@ -5,11 +5,16 @@
 //     set Scenes = base.prm, angle_10.prm
 //     set Axis 1 = Plate 1/Grid spacing: 1.5 mm | 1.0 mm
 //     set Axis 2 = Plate 1/Horizon ratio, Plate 2/Horizon ratio: 3 | 4    # changed together
+//     set Axis 3 = Impact/Speed, Impact/Attack angle: 720 m/s; 0 deg | 800 m/s; 2 deg
 //   end
+//
+// With a reference, every scene is compared with that one under the same values of the axes; the
+// axes of the ensemble only repeat a run.
 #pragma once
 
 #include "ricochet/scene/parameter_file.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,8 +22,10 @@ namespace ricochet
 {
 struct StudyAxis
 {
-  std::vector<ParameterEntry> entries; // all take the same value; their own values are empty
+  std::vector<ParameterEntry> entries; // their own values are empty
+  // One for all entries, or one for each with ';' between them.
   std::vector<std::string> values;
+  bool is_ensemble = false;
 };
 
 struct StudyCase
@@ -26,6 +33,8 @@ struct StudyCase
   std::string name;                      // "angle_10__grid_spacing_1.5_mm", also its folder
   std::string scene_file;                // for ParameterFile, together with
   std::vector<ParameterEntry> overrides; // the axes' values and the case's own output folder
+  std::string scene;                     // "angle_10"
+  std::vector<std::size_t> values;       // of every axis in turn, the number of its value
 };
 
 struct StudyParameters
@@ -35,12 +44,21 @@ struct StudyParameters
   std::vector<std::string> columns; // empty: the driver's choice
   std::vector<std::string> scenes;  // paths of the parameter files
   std::vector<StudyAxis> axes;
-  bool one_at_a_time; // the axes are varied one after the other instead of in all combinations
-  bool pictures;      // draw a comparison at the end
+  bool one_at_a_time;    // the axes are varied one after the other instead of in all combinations
+  bool pictures;         // draw a comparison at the end
+  std::string reference; // the scene that the others are compared with, as in StudyCase; or ""
   // Scene by scene, the last axis changes fastest; one at a time: the scene itself, then axis by
-  // axis.
+  // axis. With a reference the scenes change fastest: what is compared runs one after the other,
+  // and a machine whose speed drifts is as unfair to one as to the other.
   std::vector<StudyCase> cases;
 };
+
+/// "grid_spacing_1.5_mm__size_198_mm" of a case of the study: the values of its axes without those
+/// of the ensemble, "" if there are none. One at a time is not supported.
+std::string group_name(const StudyParameters &study, const StudyCase &one);
+
+/// The same to be read: "1.5 mm, 198 mm"; plain numbers carry the name of their entry.
+std::string group_title(const StudyParameters &study, const StudyCase &one);
 
 /**
  * Reads a study and every one of its cases, so that a mistake in the last one is found before the
