@@ -122,8 +122,16 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
                               -(box.corner.z() + n[2] * box.spacing),
                               n[2] * box.spacing,
                               stencil.horizon};
+  // A choice is no sharp limit: the nearest cells will do, while boxes that were asked for are
+  // filled.
   const auto as_cells = [&](const ZoneChoice &choice)
-  { return columns(box, choice.x_low, choice.x_high, choice.y_low, choice.y_high); };
+  {
+    const double cell  = Zone::points_per_edge * box.spacing;
+    const auto nearest = [&](const double x, const int d)
+    { return box.corner[d] + cell * std::round((x - box.corner[d]) / cell); };
+    return columns(box, nearest(choice.x_low, 0), nearest(choice.x_high, 0),
+                   nearest(choice.y_low, 1), nearest(choice.y_high, 1));
+  };
   std::vector<Zone::Cells> boxes;
   switch (scene.zone.kind)
   {

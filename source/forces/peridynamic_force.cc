@@ -109,8 +109,18 @@ void PeridynamicForce::find_bond_ranges()
           weighted[block] = 1;
     whole[block] &= !weighted[block];
   }
+  // Rows are a few blocks long. To call one kernel for the start of a row and another for its end
+  // costs more than weights that are 1.
+  constexpr std::int64_t least_run = 16;
+  for (const auto &run : ranges_of_blocks(whole))
+    if (run.last - run.first < least_run)
+      for (std::int64_t block = run.first; block < run.last; ++block)
+        std::swap(whole[block], weighted[block]);
   whole_ranges_    = ranges_of_blocks(whole);
   weighted_ranges_ = ranges_of_blocks(weighted);
+  for (std::size_t block = 0; block < last; ++block)
+    whole[block] |= weighted[block];
+  bond_ranges_ = ranges_of_blocks(whole);
 }
 
 void PeridynamicForce::follow_zone(const int first, const int last)
@@ -270,10 +280,9 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy, const bo
   std::swap(a.theta, a.theta_before);
   state_.zero(lattice_, a.theta);
   n_broken_ = 0;
-  for (const auto *ranges : {&whole_ranges_, &weighted_ranges_})
-    for (const auto &range : *ranges)
-      n_broken_ += static_cast<std::size_t>(
-          kernel_->stretch(a, table, range.first, range.last, broken_.data() + n_broken_));
+  for (const auto &range : bond_ranges_)
+    n_broken_ += static_cast<std::size_t>(
+        kernel_->stretch(a, table, range.first, range.last, broken_.data() + n_broken_));
   if (material_.law->has_dilatation)
   {
     weigh_dilatation();

@@ -83,7 +83,7 @@ TEST(SceneReader, DefaultsAreFilledIn)
   EXPECT_DOUBLE_EQ(scene.time.free_time, 5e-6);
   EXPECT_EQ(scene.output.directory, "output/scene");
   EXPECT_DOUBLE_EQ(scene.output.frame_interval, 20e-6);
-  EXPECT_DOUBLE_EQ(scene.output.history_interval, 1e-6);
+  EXPECT_DOUBLE_EQ(scene.output.history_interval, 2e-6);
   EXPECT_TRUE(scene.output.vtu);
   EXPECT_TRUE(scene.output.pictures);
 }

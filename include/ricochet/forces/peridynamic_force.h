@@ -161,8 +161,8 @@ private:
   std::unique_ptr<BondHistory> history_;
   std::vector<std::uint8_t> initial_bonds_;
   std::vector<std::uint16_t> initial_family_; // bonds of each owned point at the start
-  // Blocks with bonds: of whole weight alone, and with others.
-  std::vector<Lattice::BlockRange> whole_ranges_, weighted_ranges_;
+  // Blocks with bonds; those of whole weight alone, and the others.
+  std::vector<Lattice::BlockRange> bond_ranges_, whole_ranges_, weighted_ranges_;
   std::vector<char> damaged_;
   std::vector<BrokenBonds> broken_;
   std::vector<std::uint8_t> new_bonds_;     // that follow_zone() has added
