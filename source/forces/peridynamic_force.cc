@@ -92,7 +92,9 @@ void PeridynamicForce::find_bond_ranges()
 {
   const std::size_t n    = shifts_.size();
   const std::size_t last = lattice_.owned_end() / Lattice::block_size;
-  const double *hold     = state_.arrays.hold;
+  const auto &a          = state_.arrays;
+  const auto weighted    = [&](const std::ptrdiff_t p)
+  { return a.hold != nullptr && (a.hold[p] > 0. || a.weight[p] != 1.); };
   // Also points without bonds of their own in the forward half count: their dilatation has energy.
   std::vector<std::uint8_t> free(last, 0), held(last, 0);
   for (std::size_t block = 0; block < last; ++block)
@@ -100,15 +102,25 @@ void PeridynamicForce::find_bond_ranges()
     const std::ptrdiff_t first = block * Lattice::block_size;
     for (std::ptrdiff_t p = first; p < first + Lattice::block_size; ++p)
       if (lattice_.exists(p) && lattice_.kind(p) != PointKind::contact)
-        (hold != nullptr && hold[p] > 0. ? held : free)[block] = 1;
-    for (std::size_t k = 0; k < n && hold != nullptr && !held[block]; ++k)
+        (weighted(p) ? held : free)[block] = 1;
+    for (std::size_t k = 0; k < n && a.hold != nullptr && !held[block]; ++k)
       for (int lane = 0; lane < Lattice::block_size; ++lane)
-        if ((initial_bonds_[block * n + k] >> lane) & 1 && hold[first + lane + shifts_[k]] > 0.)
+        if ((initial_bonds_[block * n + k] >> lane) & 1 && weighted(first + lane + shifts_[k]))
           held[block] = 1;
     free[block] &= !held[block];
   }
   free_ranges_ = ranges_of_blocks(free);
   held_ranges_ = ranges_of_blocks(held);
+}
+
+void PeridynamicForce::scale_energy(const std::vector<double> &factor)
+{
+  for (const auto &range : lattice_.existing_ranges())
+    for (std::ptrdiff_t p = range.first * Lattice::block_size; p < range.last * Lattice::block_size;
+         ++p)
+      if (lattice_.exists(p))
+        state_.arrays.weight[p] *= factor[p];
+  find_bond_ranges();
 }
 
 void PeridynamicForce::follow_zone(const int first, const int last)
