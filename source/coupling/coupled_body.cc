@@ -293,7 +293,8 @@ void CoupledBody::place_points(const BodyOfRevolution &shape, const Parameters &
   zone_->grow({{{behind, 0, 0}, n_cells}});
   peridynamic_ = std::make_unique<PeridynamicForce>(MPI_COMM_SELF, 0, box, stencil, material,
                                                     inside, nullptr, zone_.get());
-  correct_surface(PeridynamicForce(MPI_COMM_SELF, 0, box, stencil, material, inside));
+  if (parameters.correct_surface)
+    correct_surface(PeridynamicForce(MPI_COMM_SELF, 0, box, stencil, material, inside));
 }
 
 /// Puts all points into an axial pull with the contraction of a bar.

@@ -32,12 +32,18 @@ HexSolid mesh_of(const BodyOfRevolution &shape, const int refinement, const bool
 }
 
 CoupledBody::Parameters parameters(const HexSolid &mesh, const double spacing,
-                                   const double points_length, const bool half)
+                                   const double points_length, const bool half,
+                                   const bool corrected = true)
 {
   const auto m = steel();
-  return {spacing,        m.density * volume(mesh), &bond_law("linear peridynamic solid"),
-          m.bulk_modulus, m.shear_modulus,          half,
-          points_length};
+  return {spacing,
+          m.density * volume(mesh),
+          &bond_law("linear peridynamic solid"),
+          m.bulk_modulus,
+          m.shear_modulus,
+          half,
+          points_length,
+          corrected};
 }
 
 double step_of(CoupledBody &body)
@@ -172,9 +178,9 @@ class Bar
 public:
   static constexpr double length = 120e-3, start = 30e-3, interface = 60e-3;
 
-  Bar(const double spacing, const int refinement, const double width) :
+  Bar(const double spacing, const int refinement, const double width, const bool corrected = true) :
     width_(width), mesh_(mesh_of(shape(), refinement, true)),
-    body_(shape(), mesh_, parameters(mesh_, spacing, length - interface, true)),
+    body_(shape(), mesh_, parameters(mesh_, spacing, length - interface, true, corrected)),
     elements_(mesh_, steel(), true)
   {
     dt_ = std::min(step_of(body_),
@@ -320,19 +326,25 @@ TEST(CoupledBody, PulsesPassTheInterface)
     }
 }
 
-TEST(CoupledBody, PointsCarryPulsesAsFastAsElements)
+TEST(CoupledBody, PointsCarryPulsesAsFastAsElementsWithTheirSurfaceCorrected)
 {
   // A pulse of four diameters, to 1 % as V6 asks of waves.
-  const Bar bar(0.75e-3, 2, 24e-3);
+  const Bar bar(0.75e-3, 2, 24e-3), uncorrected(0.75e-3, 2, 24e-3, false);
   EXPECT_NEAR(bar.lead_of_points(), 0., 0.01);
+  EXPECT_LT(uncorrected.lead_of_points(), -0.03);
+  for (const Bar *one : {&bar, &uncorrected})
+    std::printf("pulse of four diameters%s: reflected %.1e, lead %.4f\n",
+                one == &bar ? "" : ", not corrected", one->reflected(), one->lead_of_points());
 }
 
-/// Frequency of the lowest mode of a free body like the given displacement along `axis` [Hz]. From
-/// that velocity at rest; its component in the motion changes sign twice a period.
-template <class Step, class Shape>
+/// Frequency of the core's lowest mode along its axis (0) or across (2) [Hz]. It starts with a
+/// velocity of about that shape, whose share in the motion then changes sign twice a period.
+template <class Step>
 double frequency(const std::vector<CoupledBody::MassPoint> &points, const int axis, const double dt,
-                 Shape &&shape, Step &&step)
+                 Step &&step)
 {
+  const auto shape = [&](const double x)
+  { return axis == 0 ? std::sin(M_PI * x / core.shape().length) : x * x; };
   // Without the rigid motions.
   double mass = 0., first = 0., sum = 0.;
   for (const auto &point : points)
@@ -372,51 +384,73 @@ double frequency(const std::vector<CoupledBody::MassPoint> &points, const int ax
   return 0.5 * (crossings - 1) / (end - begin);
 }
 
+/// Of the projectile of elements at refinement 2 [Hz].
+double elements_frequency(const HexSolid &mesh, const int axis)
+{
+  ElasticBody elements(mesh, steel(), true);
+  const double dt = 0.8 * 2. / std::sqrt(estimate_largest_frequency(elements).squared_frequency);
+  std::vector<CoupledBody::MassPoint> nodes;
+  for (int node = 0; node < elements.n_nodes(); ++node)
+    nodes.push_back({mesh.nodes[node],
+                     elements.node_mass(node),
+                     Vector3::Zero(),
+                     {},
+                     {&elements.velocity()[3 * node], &elements.velocity()[3 * node + 1],
+                      &elements.velocity()[3 * node + 2]},
+                     {}});
+  return frequency(nodes, axis, dt,
+                   [&]
+                   {
+                     elements.evaluate(false);
+                     elements.advance(dt, dt);
+                   });
+}
+
+double frequency_of(CoupledBody &body, const int axis)
+{
+  const double dt = step_of(body);
+  return frequency(body.mass_points(), axis, dt,
+                   [&]
+                   {
+                     body.evaluate(false);
+                     body.advance(dt);
+                   });
+}
+
+/// In parts of that of the projectile of elements at refinement 2, along (0) or across (2) the
+/// axis.
+double relative_frequency(const int axis, const double spacing, const double points_length,
+                          const bool corrected = true)
+{
+  const HexSolid mesh = mesh_of(core, 2, true);
+  CoupledBody body(core, mesh, parameters(mesh, spacing, points_length, true, corrected));
+  const double ratio = frequency_of(body, axis) / elements_frequency(mesh, axis);
+  std::printf("%s, dx %.2f mm, points %.2f mm%s: %.4f of the elements' frequency\n",
+              axis == 0 ? "along" : "across", 1e3 * spacing, 1e3 * points_length,
+              corrected ? "" : ", not corrected", ratio);
+  return ratio;
+}
+
 TEST(CoupledBody, RingsAsTheProjectileOfElements)
 {
-  // 3 %, as V9 asks of the coupled cantilever. One and a half times the nose: the interface lies
-  // where the shank bends most.
-  const HexSolid mesh = mesh_of(core, 2, true);
-  const auto along    = [](const double x) { return std::sin(M_PI * x / 27.6e-3); };
-  const auto across   = [](const double x) { return x * x; };
+  // 3 %, as V9 asks of the coupled cantilever. With one and a half times the nose the interface
+  // lies where the shank bends most.
   for (const int axis : {0, 2})
   {
-    ElasticBody elements(mesh, steel(), true);
-    const double dt = 0.8 * 2. / std::sqrt(estimate_largest_frequency(elements).squared_frequency);
-    std::vector<CoupledBody::MassPoint> nodes;
-    for (int node = 0; node < elements.n_nodes(); ++node)
-      nodes.push_back({mesh.nodes[node],
-                       elements.node_mass(node),
-                       Vector3::Zero(),
-                       {},
-                       {&elements.velocity()[3 * node], &elements.velocity()[3 * node + 1],
-                        &elements.velocity()[3 * node + 2]},
-                       {}});
-    const auto move = [&]
-    {
-      elements.evaluate(false);
-      elements.advance(dt, dt);
-    };
-    const double expected = axis == 0 ? frequency(nodes, axis, dt, along, move)
-                                      : frequency(nodes, axis, dt, across, move);
-    for (const auto &[spacing, points_length] :
-         {std::pair(0.75e-3, 10.23e-3), {0.75e-3, 15e-3}, {0.5e-3, 10.23e-3}, {0.5e-3, all}})
-    {
-      CoupledBody body(core, mesh, parameters(mesh, spacing, points_length, true));
-      const double step = step_of(body);
-      const auto go     = [&]
-      {
-        body.evaluate(false);
-        body.advance(step);
-      };
-      const double found = axis == 0 ? frequency(body.mass_points(), axis, step, along, go)
-                                     : frequency(body.mass_points(), axis, step, across, go);
-      std::printf("%s, dx %.2f mm, points %.2f mm: %.4f of the elements' frequency\n",
-                  axis == 0 ? "along" : "across", 1e3 * spacing, 1e3 * points_length,
-                  found / expected);
-      EXPECT_NEAR(found, expected, 0.03 * expected);
-    }
+    EXPECT_NEAR(relative_frequency(axis, 0.75e-3, 10.23e-3), 1., 0.03);
+    EXPECT_NEAR(relative_frequency(axis, 0.75e-3, 15e-3), 1., 0.03);
+    EXPECT_NEAR(relative_frequency(axis, 0.5e-3, 10.23e-3), 1., 0.03);
+    EXPECT_NEAR(relative_frequency(axis, 0.5e-3, all), 1., 0.03);
   }
+  EXPECT_NEAR(relative_frequency(0, 0.75e-3, all), 1., 0.03);
+}
+
+TEST(CoupledBody, EightPointsAcrossBendFivePerCentTooSlowlyAndFifteenWithoutCorrection)
+{
+  // Missed: 3 % is asked.
+  EXPECT_NEAR(relative_frequency(2, 0.75e-3, all), 0.954, 0.002);
+  EXPECT_NEAR(relative_frequency(2, 0.75e-3, all, false), 0.847, 0.002);
+  EXPECT_NEAR(relative_frequency(0, 0.75e-3, all, false), 0.911, 0.002);
 }
 
 TEST(CoupledBody, StepFromThePowerIterationIsStableAndALongerOneIsNot)

@@ -38,6 +38,7 @@ public:
     /// Cells of the mesh whose centre is farther than this from the tip are elements [m]; infinite:
     /// all is points.
     double points_length;
+    bool correct_surface = true; // false to see what it does
   };
 
   /// What has mass: a free point or a node. Pointers to its three numbers each.
