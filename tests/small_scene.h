@@ -61,6 +61,31 @@ inline Scene peridynamic(Scene scene)
   return scene;
 }
 
+/// The same of points in the nose and elements behind.
+inline Scene peridynamic_nose(Scene scene)
+{
+  scene                               = peridynamic(scene);
+  scene.projectile.model              = ProjectileModel::peridynamic_nose;
+  scene.projectile.peridynamic_length = scene.projectile.shape.nose_length;
+  return scene;
+}
+
+inline const char *model_name(const Scene &scene)
+{
+  switch (scene.projectile.model)
+  {
+    case ProjectileModel::rigid:
+      return "Rigid";
+    case ProjectileModel::finite_elements:
+      return "Elements";
+    case ProjectileModel::peridynamic_nose:
+      return "Nose";
+    case ProjectileModel::peridynamic:
+      return "Points";
+  }
+  return "";
+}
+
 /// With branches that relax during the few tens of microseconds of such a scene.
 inline Scene relaxing(Scene scene, const HistoryPrecision precision)
 {

@@ -148,10 +148,8 @@ bool check(const MPI_Comm communicator, const ParameterFile &file, const CheckOp
               scene.projectile.mass / body.volume(), scene.impact.speed,
               scene.impact.incidence_angle / deg,
               0.5e-3 * scene.projectile.mass * scene.impact.speed * scene.impact.speed);
-  if (simulation.projectile().n_elements() > 0)
-    std::printf("  deformable   %d %s%s, E %.4g GPa, nu %.3f\n",
-                simulation.projectile().n_elements(),
-                scene.projectile.model == ProjectileModel::peridynamic ? "points" : "hexahedra",
+  if (const std::string parts = simulation.projectile().parts(); !parts.empty())
+    std::printf("  deformable   %s%s, E %.4g GPa, nu %.3f\n", parts.c_str(),
                 scene.symmetric ? " in the half computed" : "",
                 scene.projectile.youngs_modulus / GPa, scene.projectile.poissons_ratio);
   print_plates(simulation);

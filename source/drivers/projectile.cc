@@ -113,7 +113,7 @@ std::unique_ptr<Projectile> make_projectile(const MPI_Comm communicator, const S
   // would lie in the plate.
   const HexSolid mesh = projectile_mesh(scene);
   start.position.z()  = std::max(start.position.z(), -lowest_node(mesh, start.orientation));
-  if (scene.projectile.model == ProjectileModel::peridynamic)
+  if (scene.projectile.model != ProjectileModel::finite_elements)
     return std::make_unique<PeridynamicProjectile>(communicator, scene, mesh, start, law, plates);
   Vector3 centre = centroid(mesh);
   if (scene.symmetric)

@@ -24,42 +24,6 @@ double youngs_modulus(const FiniteElementMaterial &m)
 {
   return 9. * m.bulk_modulus * m.shear_modulus / (3. * m.bulk_modulus + m.shear_modulus);
 }
-
-/// Integrals over one element by 2 x 2 x 2 Gauss points, which are exact for V and B.
-struct Integrals
-{
-  double volume                        = 0.;
-  Eigen::Matrix<double, 8, 3> gradient = Eigen::Matrix<double, 8, 3>::Zero(); // V B_a [m^2]
-  Eigen::Matrix<double, 8, 1> shape    = Eigen::Matrix<double, 8, 1>::Zero(); // of N_a [m^3]
-};
-
-Integrals integrate(const Eigen::Matrix<double, 3, 8> &X)
-{
-  Integrals sum;
-  for (int point = 0; point < 8; ++point)
-  {
-    Eigen::Matrix<double, 8, 3> derivative; // dN_a/dxi
-    Eigen::Matrix<double, 8, 1> N;
-    for (int a = 0; a < 8; ++a)
-    {
-      double sign[3], factor[3];
-      for (int d = 0; d < 3; ++d)
-      {
-        sign[d]   = (a >> d) & 1 ? 1. : -1.;
-        factor[d] = 1. + sign[d] * ((point >> d) & 1 ? 1. : -1.) / std::sqrt(3.);
-      }
-      N[a] = factor[0] * factor[1] * factor[2] / 8.;
-      for (int d = 0; d < 3; ++d)
-        derivative(a, d) = sign[d] * factor[(d + 1) % 3] * factor[(d + 2) % 3] / 8.;
-    }
-    const Eigen::Matrix3d J = X * derivative;
-    const double weight     = J.determinant();
-    sum.volume += weight;
-    sum.gradient += weight * derivative * J.inverse();
-    sum.shape += weight * N;
-  }
-  return sum;
-}
 } // namespace
 
 ElasticBody::ElasticBody(const HexSolid &solid, const FiniteElementMaterial &material,
@@ -79,7 +43,7 @@ ElasticBody::ElasticBody(const HexSolid &solid, const FiniteElementMaterial &mat
   if (kernel_ == nullptr)
     throw InputError(std::string("This processor does not have the instruction set '") +
                      options.instruction_set + "'.");
-  build_blocks(options.hourglass_coefficient * youngs_modulus(material));
+  build_blocks(options.hourglass_coefficient * youngs_modulus(material), options.shares);
   centroid_ = Vector3::Zero();
   for (int node = 0; node < n_nodes(); ++node)
   {
@@ -96,7 +60,7 @@ ElasticBody::ElasticBody(const HexSolid &solid, const FiniteElementMaterial &mat
   rest();
 }
 
-void ElasticBody::build_blocks(const double hourglass_stiffness)
+void ElasticBody::build_blocks(const double hourglass_stiffness, const std::vector<double> &shares)
 {
   const std::size_t n = solid_.cells.size();
   blocks_.resize((n + block_size - 1) / block_size);
@@ -111,9 +75,10 @@ void ElasticBody::build_blocks(const double hourglass_stiffness)
       block.entry[a][lane] = 3 * corners[a];
       X.col(a)             = solid_.nodes[corners[a]];
     }
-    const Integrals sum = integrate(X);
+    const int cell          = static_cast<int>(std::min(i, n - 1));
+    const CellIntegrals sum = integrals(solid_, cell);
     if (!(sum.volume > 0.) || !(sum.shape.minCoeff() > 0.))
-      throw InputError("Hexahedron " + std::to_string(std::min(i, n - 1) + 1) +
+      throw InputError("Hexahedron " + std::to_string(cell + 1) +
                        " of the mesh is folded: its volume or a part of it is not positive.\n  "
                        "Mesh the body again with better elements.");
     if (i < n)
@@ -140,7 +105,7 @@ void ElasticBody::build_blocks(const double hourglass_stiffness)
           block.reference[m - 3][d][lane] = reference[d];
       }
     }
-    block.volume[lane]  = sum.volume;
+    block.volume[lane]  = (shares.empty() ? 1. : shares[cell]) * sum.volume;
     // E h/48 and E h/144 on a cube, where V B : B = 3 h/2.
     const double size   = sum.volume * B.squaredNorm() / 1.5;
     block.bending[lane] = hourglass_stiffness * size / 48.;

@@ -94,7 +94,8 @@ void PeridynamicForce::find_bond_ranges()
   const std::size_t n    = shifts_.size();
   const std::size_t last = lattice_.owned_end() / Lattice::block_size;
   const double *half     = state_.arrays.half_weight;
-  const auto is_light = [half](const std::ptrdiff_t p) { return half != nullptr && half[p] < 0.5; };
+  const auto has_weight  = [half](const std::ptrdiff_t p)
+  { return half != nullptr && half[p] != 0.5; };
   // Also points without bonds of their own in the forward half count: their dilatation has energy.
   std::vector<std::uint8_t> whole(last, 0), weighted(last, 0);
   for (std::size_t block = 0; block < last; ++block)
@@ -102,10 +103,10 @@ void PeridynamicForce::find_bond_ranges()
     const std::ptrdiff_t first = block * Lattice::block_size;
     for (std::ptrdiff_t p = first; p < first + Lattice::block_size; ++p)
       if (lattice_.exists(p) && lattice_.kind(p) != PointKind::contact)
-        (is_light(p) ? weighted : whole)[block] = 1;
+        (has_weight(p) ? weighted : whole)[block] = 1;
     for (std::size_t k = 0; k < n && half != nullptr && !weighted[block]; ++k)
       for (int lane = 0; lane < Lattice::block_size; ++lane)
-        if ((initial_bonds_[block * n + k] >> lane) & 1 && is_light(first + lane + shifts_[k]))
+        if ((initial_bonds_[block * n + k] >> lane) & 1 && has_weight(first + lane + shifts_[k]))
           weighted[block] = 1;
     whole[block] &= !weighted[block];
   }
@@ -121,6 +122,16 @@ void PeridynamicForce::find_bond_ranges()
   for (std::size_t block = 0; block < last; ++block)
     whole[block] |= weighted[block];
   bond_ranges_ = ranges_of_blocks(whole);
+}
+
+void PeridynamicForce::scale_energy(const std::vector<double> &factor)
+{
+  for (const auto &range : lattice_.existing_ranges())
+    for (std::ptrdiff_t p = range.first * Lattice::block_size; p < range.last * Lattice::block_size;
+         ++p)
+      if (lattice_.exists(p))
+        state_.arrays.half_weight[p] *= factor[p];
+  find_bond_ranges();
 }
 
 void PeridynamicForce::follow_zone(const int first, const int last)

@@ -57,6 +57,81 @@ double cell_volume(const HexSolid &solid, const int cell)
   return moments(solid, cell).first;
 }
 
+CellIntegrals integrals(const HexSolid &solid, const int cell)
+{
+  Eigen::Matrix<double, 3, 8> X;
+  for (int a = 0; a < 8; ++a)
+    X.col(a) = solid.nodes[solid.cells[cell][a]];
+  CellIntegrals sum;
+  for (int point = 0; point < 8; ++point)
+  {
+    Eigen::Matrix<double, 8, 3> derivative; // dN_a/dxi
+    Eigen::Matrix<double, 8, 1> N;
+    for (int a = 0; a < 8; ++a)
+    {
+      double sign[3], factor[3];
+      for (int d = 0; d < 3; ++d)
+      {
+        sign[d]   = (a >> d) & 1 ? 1. : -1.;
+        factor[d] = 1. + sign[d] * ((point >> d) & 1 ? 1. : -1.) / std::sqrt(3.);
+      }
+      N[a] = factor[0] * factor[1] * factor[2] / 8.;
+      for (int d = 0; d < 3; ++d)
+        derivative(a, d) = sign[d] * factor[(d + 1) % 3] * factor[(d + 2) % 3] / 8.;
+    }
+    const Eigen::Matrix3d J = X * derivative;
+    const double weight     = J.determinant();
+    sum.volume += weight;
+    sum.gradient += weight * derivative * J.inverse();
+    sum.shape += weight * N;
+  }
+  return sum;
+}
+
+std::array<double, 8> shape_functions(const Vector3 &natural)
+{
+  std::array<double, 8> N;
+  for (int a = 0; a < 8; ++a)
+  {
+    N[a] = 1.;
+    for (int d = 0; d < 3; ++d)
+      N[a] *= 0.5 * (1. + ((a >> d) & 1 ? natural[d] : -natural[d]));
+  }
+  return N;
+}
+
+Vector3 natural_coordinates(const HexSolid &solid, const int cell, const Vector3 &place)
+{
+  Vector3 natural = Vector3::Zero();
+  for (int iteration = 0; iteration < 30; ++iteration)
+  {
+    const auto N          = shape_functions(natural);
+    Vector3 miss          = -place;
+    Eigen::Matrix3d J     = Eigen::Matrix3d::Zero();
+    constexpr double half = 0.5;
+    for (int a = 0; a < 8; ++a)
+    {
+      const Vector3 &X = solid.nodes[solid.cells[cell][a]];
+      miss += N[a] * X;
+      for (int d = 0; d < 3; ++d)
+      {
+        double slope = (a >> d) & 1 ? half : -half;
+        for (int other = 0; other < 3; ++other)
+          if (other != d)
+            slope *= half * (1. + ((a >> other) & 1 ? natural[other] : -natural[other]));
+        J.col(d) += slope * X;
+      }
+    }
+    const Vector3 step = J.inverse() * miss;
+    natural -= step;
+    if (step.cwiseAbs().maxCoeff() < 1e-12)
+      return natural;
+    if (!(natural.cwiseAbs().maxCoeff() < 20.))
+      break;
+  }
+  return Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
 double volume(const HexSolid &solid)
 {
   double sum = 0.;

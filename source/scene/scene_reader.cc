@@ -145,15 +145,42 @@ std::filesystem::path path_in(const Parameters &parameters, const std::string &s
   return std::filesystem::path(origin.substr(0, colon)).parent_path() / path;
 }
 
+/// Of a peridynamic nose: at least the nose, for the elements behind it come in layers [m].
+double read_peridynamic_length(const Parameters &parameters, const BodyOfRevolution::Shape &shape)
+{
+  const std::string in = "Projectile", entry = "Peridynamic length";
+  std::ostringstream nose, whole;
+  nose << 1e3 * shape.nose_length << " mm";
+  whole << 1e3 * shape.length << " mm";
+  if (shape.nose == NoseShape::sphere)
+    parameters.fail(in, "Model", "A sphere is all nose: there is no shank of finite elements.",
+                    "Choose 'finite elements' or 'peridynamic'.");
+  if (!parameters.is_given(in, entry) && shape.nose == NoseShape::flat)
+    parameters.fail(in, entry, "A flat nose has no length of its own.",
+                    "Say how much of the " + whole.str() + " is peridynamic.");
+  const double length =
+      parameters.is_given(in, entry) ? parameters.quantity(in, entry) : shape.nose_length;
+  if (length < shape.nose_length || length >= shape.length)
+    parameters.fail(in, entry,
+                    "The finite elements begin behind the nose of " + nose.str() +
+                        " and before the base at " + whole.str() + ".",
+                    "Choose a length between the two, or another 'Projectile/Model'.");
+  return length;
+}
+
 /// What a deformable projectile needs besides its shape.
 void read_deformable(const Parameters &parameters, ProjectileParameters &projectile)
 {
   const std::string in = "Projectile";
   if (parameters.text(in, "Model") == "rigid")
     return;
-  projectile.model          = parameters.text(in, "Model") == "peridynamic"
-                                  ? ProjectileModel::peridynamic
-                                  : ProjectileModel::finite_elements;
+  const std::map<std::string, ProjectileModel> models{
+      {"finite elements", ProjectileModel::finite_elements},
+      {"peridynamic nose", ProjectileModel::peridynamic_nose},
+      {"peridynamic", ProjectileModel::peridynamic}};
+  projectile.model = models.at(parameters.text(in, "Model"));
+  if (projectile.model == ProjectileModel::peridynamic_nose)
+    projectile.peridynamic_length = read_peridynamic_length(parameters, projectile.shape);
   projectile.spacing        = parameters.quantity(in, "Grid spacing");
   projectile.youngs_modulus = parameters.quantity(in, "Young's modulus");
   projectile.poissons_ratio = parameters.quantity(in, "Poisson's ratio");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Whole impacts with a deformable projectile: of finite elements, of peridynamic points.
+// Whole impacts with a deformable projectile: of finite elements, of peridynamic points, of both.
 #include "ricochet/base/exceptions.h"
 #include "ricochet/drivers/elastic_projectile.h"
 #include "ricochet/geometry/revolved_hexes.h"
@@ -22,12 +22,11 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, ElasticImpact,
     testing::Values(deformable(small_scene()), deformable(symmetric(small_scene())),
                     deformable(symmetric(two_plates())), peridynamic(small_scene()),
-                    peridynamic(symmetric(two_plates()))),
+                    peridynamic(symmetric(two_plates())), peridynamic_nose(small_scene()),
+                    peridynamic_nose(symmetric(two_plates()))),
     [](const auto &info)
     {
-      return std::string(info.param.projectile.model == ProjectileModel::peridynamic ? "Points"
-                                                                                     : "Elements") +
-             (info.param.symmetric ? "Half" : "Full") +
+      return std::string(model_name(info.param)) + (info.param.symmetric ? "Half" : "Full") +
              (info.param.plates.size() > 1 ? "TwoPlates" : "OnePlate");
     });
 
@@ -65,12 +64,9 @@ class DeformableHalfModel : public testing::TestWithParam<Scene>
 };
 
 INSTANTIATE_TEST_SUITE_P(Models, DeformableHalfModel,
-                         testing::Values(deformable(small_scene()), peridynamic(small_scene())),
-                         [](const auto &info) {
-                           return info.param.projectile.model == ProjectileModel::peridynamic
-                                      ? "Points"
-                                      : "Elements";
-                         });
+                         testing::Values(deformable(small_scene()), peridynamic(small_scene()),
+                                         peridynamic_nose(small_scene())),
+                         [](const auto &info) { return model_name(info.param); });
 
 TEST_P(DeformableHalfModel, EqualsTheFullModelBeforeDamage)
 {
@@ -110,12 +106,9 @@ class DeformableMotion : public testing::TestWithParam<Scene>
 
 INSTANTIATE_TEST_SUITE_P(Models, DeformableMotion,
                          testing::Values(deformable(symmetric(small_scene())),
-                                         peridynamic(symmetric(small_scene()))),
-                         [](const auto &info) {
-                           return info.param.projectile.model == ProjectileModel::peridynamic
-                                      ? "Points"
-                                      : "Elements";
-                         });
+                                         peridynamic(symmetric(small_scene())),
+                                         peridynamic_nose(symmetric(small_scene()))),
+                         [](const auto &info) { return model_name(info.param); });
 
 TEST_P(DeformableMotion, IsThatOfTheRigidProjectile)
 {

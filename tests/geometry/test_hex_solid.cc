@@ -34,6 +34,22 @@ std::vector<double> flat(const std::vector<Vector3> &nodes)
   return numbers;
 }
 
+TEST(HexSolid, NaturalCoordinatesUndoTheShapeFunctions)
+{
+  const HexSolid solid = distorted_block({2, 2, 2}, 1e-3, 0.2);
+  Random random(5);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Vector3 natural = 1.3 * random.vector(); // outside too
+    const auto N          = shape_functions(natural);
+    Vector3 place         = Vector3::Zero();
+    for (int a = 0; a < 8; ++a)
+      place += N[a] * solid.nodes[solid.cells[i % 8][a]];
+    EXPECT_LT((natural_coordinates(solid, i % 8, place) - natural).norm(), 1e-12);
+  }
+  EXPECT_TRUE(std::isnan(natural_coordinates(solid, 0, Vector3(1., 1., 1.)).x()));
+}
+
 TEST(RevolvedHexes, FitTheShapeWithSoundElementsAndAClosedSurface)
 {
   for (const auto &sample : samples)

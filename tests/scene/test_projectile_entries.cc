@@ -40,6 +40,28 @@ TEST(ProjectileEntries, ModelIsRigidUnlessSaid)
   EXPECT_DOUBLE_EQ(lattice.spacing, 0.75e-3);
 }
 
+TEST(ProjectileEntries, PeridynamicNoseReachesBackAsFarAsSaid)
+{
+  const std::vector<std::string> nose{"Projectile/Model=peridynamic nose", E, nu,
+                                      "Projectile/Grid spacing=0.75 mm"};
+  const auto by_default = read_scene(scene_with(nose)).projectile;
+  EXPECT_EQ(by_default.model, ProjectileModel::peridynamic_nose);
+  EXPECT_EQ(by_default.peridynamic_length, by_default.shape.nose_length);
+  EXPECT_DOUBLE_EQ(read_scene(scene_with(with(nose, {"Projectile/Peridynamic length=15 mm"})))
+                       .projectile.peridynamic_length,
+                   15e-3);
+
+  expect_refused({nose[0], E, nu}, {"Grid spacing"});
+  expect_refused(with(nose, {"Projectile/Peridynamic length=3 mm"}),
+                 {"Peridynamic length = '3 mm'", "behind the nose", "before the base"});
+  expect_refused(with(nose, {"Projectile/Peridynamic length=1 m"}), {"before the base"});
+  expect_refused(with(nose, {"Projectile/Nose shape=flat", "Projectile/Nose length="}),
+                 {"Peridynamic length", "no length of its own"});
+  expect_refused(
+      with(nose, {"Projectile/Nose shape=sphere", "Projectile/Nose length=", "Projectile/Length="}),
+      {"Projectile/Model", "all nose", "'finite elements'"});
+}
+
 TEST(ProjectileEntries, DeformableModelsNeedTheirConstants)
 {
   expect_refused({is_elements}, {"Young's modulus"});

@@ -19,7 +19,10 @@ public:
   Momenta momenta() const override;
 
   double squared_frequency() const override { return squared_frequency_; }
-  int n_elements() const override { return static_cast<int>(elastic_.solid().cells.size()); }
+  std::string parts() const override
+  {
+    return std::to_string(elastic_.solid().cells.size()) + " hexahedra";
+  }
   double seconds_per_step() const override { return seconds_per_step_; }
 
   const ElasticBody &elastic() const { return elastic_; }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A projectile of peridynamic points that do not break: a lattice in the projectile's own axes, cut
-// to its shape, which flies rotated. Plates touch a skin, the faceted surface of the shape, not the
+// A projectile of peridynamic points that do not break, all of it or its front part with a shank of
+// finite elements behind (coupling/coupled_body.h): a lattice in the projectile's own axes, cut to
+// its shape, which flies rotated. Plates touch a skin, the faceted surface of the shape, not the
 // points' steps: each node of the skin follows the points around it by weights that reproduce every
-// linear motion (moving least squares), and its force goes back to them by the same weights, so
-// that force, moment and work are kept. Friction is therefore that of all projectiles.
+// linear motion (moving least squares), or is a node of the elements, and its force goes back by
+// the same weights, so that force, moment and work are kept. Friction is therefore that of all
+// projectiles.
 #pragma once
 
+#include "ricochet/coupling/coupled_body.h"
 #include "ricochet/drivers/deformable_projectile.h"
 
 namespace ricochet
@@ -13,8 +16,8 @@ namespace ricochet
 class PeridynamicProjectile : public DeformableProjectile
 {
 public:
-  /// `mesh` gives the skin; `start` is the motion of the origin of the body axes. Throws InputError
-  /// if the grid is too coarse for the shape.
+  /// `mesh` gives the skin and the elements, if any; `start` is the motion of the origin of the
+  /// body axes. Throws InputError as CoupledBody does.
   PeridynamicProjectile(MPI_Comm communicator, const Scene &scene, const HexSolid &mesh,
                         const Motion &start, const FrictionLaw &law,
                         const std::vector<PlateContact> &plates);
@@ -24,16 +27,18 @@ public:
   Momenta momenta() const override;
 
   double squared_frequency() const override { return squared_frequency_; }
-  int n_elements() const override { return static_cast<int>(points_.size()); }
+  std::string parts() const override;
   double seconds_per_step() const override { return seconds_per_step_; }
 
+  CoupledBody &coupled() { return *body_; }
+
 private:
-  /// A point that a node of the skin follows.
+  /// A mass point that a node of the skin follows.
   struct Support
   {
-    int node, point; // number of the point in points_
-    bool image;      // its image across y = 0
-    double weight;   // [-]
+    int node, mass_point;
+    bool image;    // its image across y = 0
+    double weight; // [-]
   };
 
   SurfaceNodes nodes() override { return {skin_position_, skin_velocity_, skin_force_}; }
@@ -41,16 +46,13 @@ private:
   void move(double dt) override;
   Motion nearest_motion() const override;
 
-  void build_skin(const std::vector<Vector3> &nodes);
+  void build_skin(const std::vector<Vector3> &nodes, const std::vector<int> &mesh_nodes);
   void place(const Motion &start);
   void pull_skin();
 
   bool mirrored_;
-  std::unique_ptr<PeridynamicForce> body_; // whole on every rank
-  std::vector<std::ptrdiff_t> points_;     // flat indices of its points
-  std::vector<Vector3> reference_;         // of points_
-  std::vector<double> mass_;               // of points_ [kg]
-  std::vector<Support> skin_;              // by node
+  std::unique_ptr<CoupledBody> body_; // whole on every rank
+  std::vector<Support> skin_;         // by node
   std::vector<double> skin_position_, skin_velocity_, skin_force_;
   double squared_frequency_ = 0., seconds_per_step_ = 0.;
 };

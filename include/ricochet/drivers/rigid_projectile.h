@@ -26,7 +26,7 @@ public:
   double friction_work() const override;
 
   double squared_frequency() const override { return 0.; }
-  int n_elements() const override { return 0; }
+  std::string parts() const override { return ""; }
   double seconds_per_step() const override { return 0.; }
 
 private:

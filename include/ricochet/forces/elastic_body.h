@@ -19,6 +19,9 @@ public:
     /// In units of the stiffness with which a cube bends exactly, see FiniteElementForce::Options.
     double hourglass_coefficient = 1.;
     const char *instruction_set  = nullptr; // as in hex_kernel()
+    /// Per cell, how much of its strain energy counts; none: all of it. Mass and hourglass control
+    /// stay whole [-].
+    std::vector<double> shares   = {};
   };
 
   struct Energies // of the body as computed, without a mirrored half [J]
@@ -73,7 +76,7 @@ public:
   const std::vector<double> &force() const { return force_; }
 
 private:
-  void build_blocks(double hourglass_stiffness);
+  void build_blocks(double hourglass_stiffness, const std::vector<double> &shares);
 
   HexSolid solid_;
   FiniteElementMaterial material_;

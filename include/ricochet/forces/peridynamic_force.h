@@ -80,6 +80,10 @@ public:
   /// first half step.
   void advance(double kick, double drift);
 
+  /// The energy of each point counts so many times, besides the zone's share of it: per point,
+  /// images too [-]. Needs a zone.
+  void scale_energy(const std::vector<double> &factor);
+
   struct Energies // of this body as computed, without the mirrored half [J]
   {
     double kinetic, strain;

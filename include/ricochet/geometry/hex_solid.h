@@ -21,7 +21,23 @@ using SurfaceQuad = std::array<int, 4>;
 
 /// Volume of one cell, by Gauss quadrature, which is exact [m^3].
 double cell_volume(const HexSolid &solid, int cell);
-double volume(const HexSolid &solid);    // [m^3]
+double volume(const HexSolid &solid); // [m^3]
+
+/// Integrals over one cell by 2 x 2 x 2 Gauss points, which are exact for them.
+struct CellIntegrals
+{
+  double volume                        = 0.;
+  Eigen::Matrix<double, 8, 3> gradient = Eigen::Matrix<double, 8, 3>::Zero(); // of dN_a/dX [m^2]
+  Eigen::Matrix<double, 8, 1> shape    = Eigen::Matrix<double, 8, 1>::Zero(); // of N_a [m^3]
+};
+CellIntegrals integrals(const HexSolid &solid, int cell);
+
+/// The shape functions N_a at natural coordinates, -1 to 1 in the cell [-].
+std::array<double, 8> shape_functions(const Vector3 &natural);
+/// Natural coordinates of a place in the cell or near it: sum N_a X_a is the place. Newton's
+/// method; not a number where it does not converge.
+Vector3 natural_coordinates(const HexSolid &solid, int cell, const Vector3 &place);
+
 Vector3 centroid(const HexSolid &solid); // [m]
 
 /// Smallest triple product of the unit vectors along the three edges that meet in a corner: 1 for a

@@ -69,6 +69,7 @@ enum class ProjectileModel
 {
   rigid,
   finite_elements,
+  peridynamic_nose, // with a shank of finite elements
   peridynamic
 };
 
@@ -79,9 +80,10 @@ struct ProjectileParameters
   // Of a deformable one:
   ProjectileModel model = ProjectileModel::rigid;
   double youngs_modulus = 0., poissons_ratio = 0.; // [Pa], [-]
-  double spacing = 0.;                             // dx of the points of a peridynamic one [m]
-  int refinement = 2;                              // of the generated mesh, from 1
-  HexSolid mesh  = {}; // read from a file, axis along x; no cells: generated from the shape
+  double spacing            = 0.;                  // dx of the points of a peridynamic one [m]
+  double peridynamic_length = 0.;                  // of a peridynamic nose, from the tip [m]
+  int refinement            = 2;                   // of the generated mesh, from 1
+  HexSolid mesh = {}; // read from a file, axis along x; no cells: generated from the shape
 };
 
 struct ImpactParameters
