@@ -114,7 +114,7 @@ void PeridynamicForce::find_bond_ranges()
   // costs more than weights that are 1.
   constexpr std::int64_t least_run = 16;
   for (const auto &run : ranges_of_blocks(whole))
-    if (run.last - run.first < least_run)
+    if (half != nullptr && run.last - run.first < least_run)
       for (std::int64_t block = run.first; block < run.last; ++block)
         std::swap(whole[block], weighted[block]);
   whole_ranges_    = ranges_of_blocks(whole);
