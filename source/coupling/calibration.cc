@@ -17,8 +17,8 @@ namespace
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Tensor  = std::array<double, HexTensors::n_entries>;
 
-// A node whose force is too large is mended by the elements so many elements away.
-constexpr int mending_range = 3;
+// A node whose force is too large is mended by the elements so many grid spacings away.
+constexpr int mending_range = 6;
 
 /// dN_a/dX_d times the edge, at the Gauss points.
 struct Gradients
@@ -95,7 +95,7 @@ public:
     MPI_Comm_size(communicator_, &n_ranks_);
     const double K = owner.moduli_.bulk, mu = owner.moduli_.shear;
     modulus_ = K + 4. / 3. * mu;
-    edge_    = Zone::points_per_edge * lattice_.box().spacing;
+    edge_    = lattice_.zone()->points_per_edge() * lattice_.box().spacing;
     solid_.setZero();
     solid_.topLeftCorner<3, 3>().setConstant((K - 2. / 3. * mu) / modulus_);
     for (int i = 0; i < 6; ++i)
@@ -176,22 +176,25 @@ private:
 
   void find_elements()
   {
-    const auto &box = lattice_.box();
     for (std::size_t e = 0; e < mesh_.elements().size(); ++e)
     {
       const auto &element = mesh_.elements()[e];
       if (element.edge > 1.5 * edge_)
         continue;
-      const auto cell = cell_at(box, mesh_.centre(element));
+      const auto cell = cell_at(lattice_, mesh_.centre(element));
       if (zone_.is_slaved(cell))
-        elements_.push_back(
-            {static_cast<int>(e), cell, cell_pattern(zone_, cell, box.mirror_y), {}, {}, false});
+        elements_.push_back({static_cast<int>(e),
+                             cell,
+                             cell_pattern(zone_, cell, lattice_.box().mirror_y),
+                             {},
+                             {},
+                             false});
     }
   }
 
   std::uint64_t similar(const Zone::Cell &cell) const
   {
-    return cell_pattern(zone_, cell, lattice_.box().mirror_y, /*around=*/1, /*faces=*/3);
+    return cell_pattern(zone_, cell, lattice_.box().mirror_y, /*alike=*/true);
   }
 
   /// Only nodes of these elements matter, those of other ranks' elements included.
@@ -310,7 +313,8 @@ private:
         marked[i] =
             marked[i] || lanes.abs().maxCoeff() > (is_new[i] ? 0.5 : 1.) * options_.tolerance;
     std::vector<char> chosen(elements_.size());
-    for (int step = 0; step < mending_range; ++step)
+    const int n_steps = std::max(1, mending_range / zone_.points_per_edge());
+    for (int step = 0; step < n_steps; ++step)
     {
       for (std::size_t i = 0; i < elements_.size(); ++i)
         chosen[i] = std::any_of(elements_[i].corner.begin(), elements_[i].corner.end(),

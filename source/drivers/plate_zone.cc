@@ -12,7 +12,8 @@ namespace ricochet
 {
 namespace
 {
-constexpr int most_levels      = 2;
+// Of the largest elements, in grid spacings.
+constexpr int largest_edge     = 8;
 // More would be another plate [-].
 constexpr double most_rounding = 0.05;
 
@@ -27,27 +28,27 @@ int coarsening_levels(const Scene &scene, const PlateParameters &plate)
 {
   if (scene.zone.coarsening_levels >= 0)
     return scene.zone.coarsening_levels;
-  const int n_cells =
-      rounded(plate.thickness, plate.spacing, Zone::points_per_edge) / Zone::points_per_edge;
-  int levels = 0;
-  while (levels < most_levels && n_cells % (2 << levels) == 0)
+  const int n       = scene.zone.coupling.points_per_edge;
+  const int n_cells = rounded(plate.thickness, plate.spacing, n) / n;
+  int levels        = 0;
+  while ((2 * n << levels) <= largest_edge && n_cells % (2 << levels) == 0)
     ++levels;
   return levels;
 }
 
-Zone::Cells columns(const Lattice::Box &box, const double x_low, const double x_high,
-                    const double y_low, const double y_high)
+Zone::Cells columns(const Lattice::Box &box, const int points_per_edge, const double x_low,
+                    const double x_high, const double y_low, const double y_high)
 {
-  const double cell = Zone::points_per_edge * box.spacing;
+  const double cell = points_per_edge * box.spacing;
   const auto from   = [&](const double x, const int d)
   { return static_cast<int>(std::floor((x - box.corner[d]) / cell + 1e-9)); };
   const auto to = [&](const double x, const int d)
   { return static_cast<int>(std::ceil((x - box.corner[d]) / cell - 1e-9)); };
   Zone::Cells cells{{from(x_low, 0), from(y_low, 1), 0},
-                    {to(x_high, 0), to(y_high, 1), box.n[2] / Zone::points_per_edge}};
+                    {to(x_high, 0), to(y_high, 1), box.n[2] / points_per_edge}};
   for (int d = 0; d < 3; ++d)
   {
-    const int n   = box.n[d] / Zone::points_per_edge;
+    const int n   = box.n[d] / points_per_edge;
     cells.low[d]  = std::clamp(cells.low[d], 0, n);
     cells.high[d] = std::clamp(cells.high[d], 0, n);
   }
@@ -57,8 +58,9 @@ Zone::Cells columns(const Lattice::Box &box, const double x_low, const double x_
 
 std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &plate)
 {
-  const int multiple =
-      scene.zone.has_elements() ? Zone::points_per_edge << coarsening_levels(scene, plate) : 1;
+  const int multiple    = scene.zone.has_elements()
+                              ? scene.zone.coupling.points_per_edge << coarsening_levels(scene, plate)
+                              : 1;
   const double asked[3] = {plate.length, scene.symmetric ? plate.width / 2. : plate.width,
                            plate.thickness};
   const char *axis[3]   = {"length", scene.symmetric ? "half width" : "width", "thickness"};
@@ -75,7 +77,8 @@ std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &pla
               << 1e3 * n[d] * plate.spacing << " mm to be filled with finite elements of "
               << 1e3 * multiple * plate.spacing << " mm; at most " << 100. * most_rounding
               << " % are tolerated. Choose a multiple of " << 1e3 * multiple * plate.spacing
-              << " mm, a smaller 'Grid spacing' or fewer 'Coupling/Coarsening levels'.";
+              << " mm, a smaller 'Grid spacing', fewer 'Coupling/Coarsening levels' or a smaller "
+                 "'Coupling/Element size'.";
       throw InputError(message.str());
     }
   }
@@ -91,10 +94,10 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
     result.reason = "everything";
     return result;
   }
-  const auto &n             = box.n;
-  result.zone               = std::make_unique<Zone>(make_zone(
-                    {n[0] / Zone::points_per_edge, n[1] / Zone::points_per_edge, n[2] / Zone::points_per_edge},
-                    stencil, scene.zone.coupling));
+  const auto &n  = box.n;
+  const int edge = scene.zone.coupling.points_per_edge;
+  result.zone    = std::make_unique<Zone>(
+      make_zone({n[0] / edge, n[1] / edge, n[2] / edge}, stencil, scene.zone.coupling));
   result.options.coupling   = scene.zone.coupling;
   result.options.quadrature = scene.zone.full_quadrature ? Quadrature::full : Quadrature::one_point;
   result.options.hourglass_coefficient = scene.zone.hourglass_coefficient;
@@ -110,7 +113,7 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
                               n[2] * box.spacing,
                               stencil.horizon};
   const auto as_cells = [&](const ZoneChoice &choice)
-  { return columns(box, choice.x_low, choice.x_high, choice.y_low, choice.y_high); };
+  { return columns(box, edge, choice.x_low, choice.x_high, choice.y_low, choice.y_high); };
   std::vector<Zone::Cells> boxes;
   switch (scene.zone.kind)
   {
@@ -124,7 +127,7 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
     case ZoneKind::boxes:
       result.reason = "boxes";
       for (const auto &b : plate.zone_boxes)
-        boxes.push_back(columns(box, b[0], b[1], b[2], b[3]));
+        boxes.push_back(columns(box, edge, b[0], b[1], b[2], b[3]));
       break;
     default:
       result.reason = "none: elastic finite elements";

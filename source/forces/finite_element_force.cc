@@ -117,10 +117,14 @@ void FiniteElementForce::lump_mass()
   }
 }
 
-void FiniteElementForce::set_consistent_mass(const std::vector<int> &elements)
+void FiniteElementForce::set_consistent_mass(const std::vector<int> &elements,
+                                             const int points_per_edge)
 {
-  spread_       = elements;
-  spreads_mass_ = true;
+  spread_        = elements;
+  // n masses in the middles of the parts of an edge couple its ends by (s, 1/2 - s).
+  const double n = points_per_edge;
+  spread_share_  = (4. * n * n - 1.) / (12. * n * n);
+  spreads_mass_  = true;
   // An owned node may be a corner of other ranks' elements only.
   std::vector<double> touched(force_.size(), 0.);
   for (const int e : spread_)
@@ -142,12 +146,11 @@ void FiniteElementForce::velocity_changed()
     find_spread_momentum();
 }
 
-/// Adds (M_L - M_C) a of the elements of consistent mass. Along each axis the masses of two points
-/// in the middles of the halves of an edge couple its ends by (5 3; 3 5)/16.
+/// Adds (M_L - M_C) a of the elements of consistent mass, the product of those of edges.
 void FiniteElementForce::add_mass_difference(const std::vector<double> &acceleration,
                                              std::vector<double> &force) const
 {
-  constexpr double near = 5. / 16., far = 3. / 16.;
+  const double near = spread_share_, far = 0.5 - spread_share_;
   for (const int e : spread_)
   {
     const auto &element = mesh_.elements()[e];

@@ -253,6 +253,10 @@ SectionDeclaration coupling()
        with_default("Mass correction", flag(), "true",
                     "Whether the elements next to the zone get their consistent mass, to first "
                     "order: waves pass the interface better"),
+       with_default(
+           "Element size", choice({"1", "2", "4"}), "2",
+           "Edge of the elements next to the zone, in grid spacings; 1 halves the time step, 4 "
+           "reflects waves shorter than six horizons"),
        with_default("Coarsening levels", choice({"automatic", "0", "1", "2"}), "automatic",
                     "How often the elements double their size away from the zone; automatic: as "
                     "often as the number of points allows, at most twice"),
@@ -280,6 +284,8 @@ SectionDeclaration stability()
        with_default("Mass correction", flag(), "true",
                     "Whether the elements next to the zone get their consistent mass, to first "
                     "order"),
+       with_default("Element size", choice({"1", "2", "4"}), "2",
+                    "Edge of the elements next to the zone, in grid spacings"),
        with_default("Calibration tolerance", quantity(Dimension::number, Limit::positive), "0.001",
                     "Largest nodal force left under a unit strain, in units of M h^2"),
        with_default("Calibration iterations", quantity(Dimension::number, Limit::not_negative),
@@ -292,7 +298,7 @@ SectionDeclaration stability()
        with_default("Hourglass coefficient", quantity(Dimension::number, Limit::not_negative), "1",
                     "Stiffness of the hourglass modes; 0 switches the control off"),
        with_default("Grid spacing", quantity(Dimension::length, Limit::positive), "1 mm",
-                    "Distance between neighbouring points; elements are twice as long"),
+                    "Distance between neighbouring points"),
        with_default("Horizon ratio", quantity(Dimension::number, Limit::positive), "3",
                     "Horizon in grid spacings, at least 2"),
        with_default("Influence function", choice(influence_function_names()), "cone",

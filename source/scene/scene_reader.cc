@@ -408,12 +408,13 @@ ZoneParameters read_zone(const Parameters &parameters)
       zone.coupling.method = method.method;
   zone.coupling.blend = parameters.text(in, "Blend function") == "linear" ? BlendFunction::linear
                                                                           : BlendFunction::cubic;
-  zone.coupling.blend_width  = parameters.quantity(in, "Blend width");
-  zone.coupling.correct_mass = parameters.flag(in, "Mass correction");
-  const std::string levels   = parameters.text(in, "Coarsening levels");
-  zone.coarsening_levels     = levels == "automatic" ? -1 : std::stoi(levels);
-  zone.full_quadrature       = parameters.text(in, "Quadrature") == "full";
-  zone.hourglass_coefficient = parameters.quantity(in, "Hourglass coefficient");
+  zone.coupling.blend_width     = parameters.quantity(in, "Blend width");
+  zone.coupling.correct_mass    = parameters.flag(in, "Mass correction");
+  zone.coupling.points_per_edge = std::stoi(parameters.text(in, "Element size"));
+  const std::string levels      = parameters.text(in, "Coarsening levels");
+  zone.coarsening_levels        = levels == "automatic" ? -1 : std::stoi(levels);
+  zone.full_quadrature          = parameters.text(in, "Quadrature") == "full";
+  zone.hourglass_coefficient    = parameters.quantity(in, "Hourglass coefficient");
 
   if (zone.adaptive && (zone.kind == ZoneKind::everything || zone.kind == ZoneKind::none))
     parameters.fail(in, "Adaptive",

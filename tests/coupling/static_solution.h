@@ -111,7 +111,7 @@ public:
     const auto &mesh    = plate_.far->elements().mesh();
     for (std::size_t e = 0; e < mesh.elements().size(); ++e)
       if (plate_.far->elements().is_active(static_cast<int>(e)))
-        visit(cell_at(lattice.box(), mesh.centre(mesh.elements()[e])),
+        visit(cell_at(lattice, mesh.centre(mesh.elements()[e])),
               symmetric(plate_.far->elements().deformation_gradient(static_cast<int>(e))));
     zone.for_each_cell(
         [&](const Zone::Cell &cell)

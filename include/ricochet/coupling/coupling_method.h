@@ -45,6 +45,8 @@ struct CouplingParameters
   BlendFunction blend   = BlendFunction::cubic; // linear or cubic
   double blend_width    = 2.;                   // in horizons
   bool correct_mass     = true;                 // consistent mass of the pad, to first order
+  // Of the elements next to the zone, in grid spacings: 1, 2 or 4.
+  int points_per_edge   = Zone::usual_points_per_edge;
   CalibrationOptions calibration;
 };
 } // namespace ricochet

@@ -106,11 +106,11 @@ public:
   /// do, with the material's moduli until set_stiffness(). Masses are lumped anew. Collective.
   void set_active(const std::function<bool(const Vector3 &)> &active);
 
-  /// The mass of these elements acts as if it sat in the centres of their eight sub-cubes and not
-  /// in the corners, to first order: correct_mass() adds M_L^-1 (f - M_C a) to a = M_L^-1 f. The
-  /// sum of all forces stays as it is, because the rows of both mass matrices have the same sums.
-  /// Collective.
-  void set_consistent_mass(const std::vector<int> &elements);
+  /// The mass of these elements acts as if it sat in the centres of their sub-cubes, so many along
+  /// an edge, and not in the corners, to first order: correct_mass() adds M_L^-1 (f - M_C a) to a =
+  /// M_L^-1 f. The sum of all forces stays as it is, because the rows of both mass matrices have
+  /// the same sums. Collective.
+  void set_consistent_mass(const std::vector<int> &elements, int points_per_edge = 2);
   /// Call after velocity() was set from outside: the momentum that belongs to it under the
   /// consistent mass is kept, too. Collective.
   void velocity_changed();
@@ -218,7 +218,8 @@ private:
   double dissipated_elsewhere_ = 0.;  // by elements that are not active any more [J]
   std::vector<char> active_;
   std::vector<double> position_, velocity_, force_;
-  bool spreads_mass_ = false;     // the same on all ranks
+  bool spreads_mass_   = false;   // the same on all ranks
+  double spread_share_ = 0.;      // of an edge's mass that an end has of itself [-]
   std::vector<int> spread_;       // elements of consistent mass
   std::vector<int> spread_nodes_; // owned nodes among their corners
   // Per component of spread_nodes_: the force before its correction [N], and M_eff v, where
