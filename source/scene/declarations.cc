@@ -256,10 +256,10 @@ SectionDeclaration coupling()
        with_default(
            "Element size", choice({"1", "2", "4"}), "2",
            "Edge of the elements next to the zone, in grid spacings; 1 halves the time step, 4 "
-           "reflects waves shorter than six horizons"),
+           "keeps out waves of four horizons and less"),
        with_default("Coarsening levels", choice({"automatic", "0", "1", "2"}), "automatic",
                     "How often the elements double their size away from the zone; automatic: as "
-                    "often as the number of points allows, at most twice"),
+                    "often as the number of points allows, up to 8 grid spacings"),
        with_default("Quadrature", choice({"one point", "full"}), "one point",
                     "Integration of the far elements: one point with hourglass control, or 2 x 2 x "
                     "2 points"),

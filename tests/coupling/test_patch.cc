@@ -116,6 +116,24 @@ TEST(V1Patch, StrainErrorOfABlockWithCorners)
     EXPECT_LE(worst_strain_error(plate, k), 2e-3) << "strain " << k;
 }
 
+TEST(V1Patch, ElementsOfOneAndOfFourSpacings)
+{
+  for (const int n : {1, 4})
+  {
+    CoupledSample sample            = block();
+    sample.coupling.points_per_edge = n;
+    const int outside = n == 1 ? 7 : 4, inside = 8 / n, all = inside + 2 * outside;
+    sample.n_cells = {all, all, all};
+    sample.zone    = {{outside, outside, outside},
+                      {outside + inside, outside + inside, outside + inside}};
+    CoupledPlate plate(sample);
+    for (const double ghost : ghosts(plate))
+      EXPECT_LE(ghost, 2e-3) << n << " spacings";
+    for (int k = 0; k < 6; ++k)
+      EXPECT_LE(worst_strain_error(plate, k), 2e-3) << n << " spacings, strain " << k;
+  }
+}
+
 TEST(V1Patch, ZoneWithReentrantEdges)
 {
   CoupledSample sample                     = bent_block();

@@ -97,6 +97,37 @@ TEST(V7Waves, NothingIsLostAndNothingGained)
     }
 }
 
+LongBar bar_of_elements(const int points_per_edge)
+{
+  CoupledSample sample;
+  sample.coupling.points_per_edge = points_per_edge;
+  return LongBar(sample, 2200, 2200 / points_per_edge);
+}
+
+TEST(V7Waves, ElementsOfOneSpacingReflectLess)
+{
+  auto bar = bar_of_elements(1);
+  for (const auto side : {LongBar::points, LongBar::nodes})
+  {
+    EXPECT_LE(pass(bar, side, 3. * horizon).reflected, 5e-3);
+    EXPECT_LE(pass(bar, side, 4. * horizon).reflected, 3e-3);
+    EXPECT_LE(pass(bar, side, 6. * horizon).reflected, 1e-3);
+  }
+}
+
+TEST(V7Waves, ElementsOfFourSpacingsKeepOutWavesOfFourHorizons)
+{
+  // Three elements per wavelength: the list's 2e-2 at 4 and 2e-3 at 6 horizons are out of reach.
+  auto bar = bar_of_elements(4);
+  EXPECT_GT(pass(bar, LongBar::points, 3. * horizon).reflected, 0.99);
+  EXPECT_NEAR(pass(bar, LongBar::points, 4. * horizon).reflected, 0.52, 0.05);
+  for (const auto side : {LongBar::points, LongBar::nodes})
+  {
+    EXPECT_NEAR(pass(bar, side, 6. * horizon).reflected, 3e-3, 0.3e-3);
+    EXPECT_LE(pass(bar, side, 12. * horizon).reflected, 1e-3);
+  }
+}
+
 TEST(V7Waves, WithoutTheMassCorrectionWavesOfThreeHorizonsStayOut)
 {
   auto lumped = default_bar(false);
