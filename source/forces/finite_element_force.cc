@@ -113,8 +113,10 @@ void FiniteElementForce::lump_mass()
     for (int d = 0; d < 3; ++d)
       inverse_mass_.push_back(mass_[node] > 0. ? 1. / mass_[node] : 0.);
     if (mesh_.on_mirror_plane(node))
-      fix(node, 1);
+      inverse_mass_[3 * node + 1] = 0.;
   }
+  for (const int entry : fixed_)
+    inverse_mass_[entry] = 0.;
 }
 
 void FiniteElementForce::set_consistent_mass(const std::vector<int> &elements,
@@ -237,10 +239,12 @@ void FiniteElementForce::find_spread_momentum()
     for (std::size_t i = 0; i < n; ++i)
       direction[i] = scaled[i] + beta * direction[i];
   }
+  // Rows of both matrices have the same sums: with what is left of the residual the total is the
+  // sum of M_L v to the last bit, however well y has converged.
   spread_momentum_.clear();
   for (const int node : spread_nodes_)
     for (int d = 0; d < 3; ++d)
-      spread_momentum_.push_back(mass_[node] * y[3 * node + d]);
+      spread_momentum_.push_back(mass_[node] * y[3 * node + d] + residual[3 * node + d]);
 }
 
 void FiniteElementForce::set_stiffness(const std::vector<ElementStiffness> &stiffness)
@@ -437,8 +441,10 @@ void FiniteElementForce::set_back_strain(const int element, const int branch,
 
 void FiniteElementForce::fix(const int node, const int component)
 {
-  if (node < mesh_.n_owned_nodes())
-    inverse_mass_[3 * node + component] = 0.;
+  if (node >= mesh_.n_owned_nodes())
+    return;
+  fixed_.push_back(3 * node + component);
+  inverse_mass_[3 * node + component] = 0.;
 }
 
 void FiniteElementForce::update_ghosts()
@@ -541,24 +547,27 @@ double FiniteElementForce::squared_force() const
 
 FiniteElementForce::Momenta FiniteElementForce::momenta() const
 {
-  std::array<Vector3, 2> sums{Vector3::Zero(), Vector3::Zero()};
+  // Sums of many numbers, compared to the last bit by those who look for a drift.
+  using LongVector = Eigen::Matrix<long double, 3, 1>;
+  std::array<LongVector, 2> sums{LongVector::Zero(), LongVector::Zero()};
+  const auto add = [&](const int node, const Vector3 &linear)
+  {
+    sums[0] += linear.cast<long double>();
+    sums[1] += at(position_, node).cross(linear).cast<long double>();
+  };
+  std::size_t k = 0;
   for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
+    if (k < spread_nodes_.size() && spread_nodes_[k] == node)
+      add(node, at(spread_momentum_, static_cast<int>(k++)));
+    else
+      add(node, mass_[node] * at(velocity_, node));
+  std::array<Vector3, 2> result;
+  for (int i = 0; i < 2; ++i)
   {
-    const Vector3 linear = mass_[node] * at(velocity_, node);
-    sums[0] += linear;
-    sums[1] += at(position_, node).cross(linear);
+    result[i] = sums[i].cast<double>();
+    MPI_Allreduce(MPI_IN_PLACE, result[i].data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
   }
-  for (std::size_t k = 0; k < spread_nodes_.size(); ++k)
-  {
-    const int node = spread_nodes_[k];
-    const Vector3 difference =
-        at(spread_momentum_, static_cast<int>(k)) - mass_[node] * at(velocity_, node);
-    sums[0] += difference;
-    sums[1] += at(position_, node).cross(difference);
-  }
-  for (auto &sum : sums)
-    MPI_Allreduce(MPI_IN_PLACE, sum.data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
-  return {sums[0], sums[1]};
+  return {result[0], result[1]};
 }
 
 double FiniteElementForce::total_mass() const

@@ -75,13 +75,7 @@ Crack crack(const bool coupled, const int n_steps)
   {
     points.update_ghosts();
     if (watch.update(step * dt, dt))
-    {
       points.update_ghosts();
-      for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node) // masses are new
-        if (const double z = elements.mesh().reference_position(node).z();
-            z < 1e-6 || z > 2. * middle - 1e-6)
-          elements.fix(node, 2);
-    }
     points.evaluate(/*breaking=*/true, /*energy=*/false);
     strip.far->evaluate(/*energy=*/false);
     strip.advance(dt, dt);

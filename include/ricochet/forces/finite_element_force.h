@@ -116,7 +116,8 @@ public:
   void velocity_changed();
 
   /// The node keeps its velocity along this axis, zero unless set otherwise; its force is then the
-  /// reaction. `node` is local; on ranks that do not own it the call does nothing.
+  /// reaction, also after set_active(). `node` is local; on ranks that do not own it the call does
+  /// nothing.
   void fix(int node, int component);
 
   /// Ghosts and hanging nodes take over positions and velocities; call after every change of them.
@@ -228,5 +229,6 @@ private:
   std::vector<double> acceleration_; // workspace
   std::vector<double> mass_;         // per owned node
   std::vector<double> inverse_mass_; // per component of owned nodes
+  std::vector<int> fixed_;           // entries of inverse_mass_ that fix() has made zero
 };
 } // namespace ricochet
