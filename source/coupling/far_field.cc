@@ -124,6 +124,8 @@ FarField::FarField(const MPI_Comm communicator, PeridynamicForce &points, Zone &
     shear_calibration_ = std::make_unique<Calibration>(
         communicator, points, elements_, ElasticModuli{0., elements_.material().shear_modulus},
         options.coupling.calibration);
+  if (options_.absorbing_edges)
+    elements_.absorb_at({true, true, !points.lattice().box().mirror_y, true, false, false});
   join();
   lead();
 }
@@ -321,7 +323,7 @@ FarField::Energies FarField::energies(const double dt) const
   const auto points = points_.energies(dt);
   const auto nodes  = elements_.energies(dt);
   return {points.kinetic + nodes.kinetic, points.strain + nodes.strain, nodes.hourglass,
-          points.viscous + nodes.viscous};
+          points.viscous + nodes.viscous, nodes.absorbed};
 }
 
 PeridynamicForce::Momenta FarField::momenta() const

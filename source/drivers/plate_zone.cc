@@ -54,6 +54,36 @@ Zone::Cells columns(const Lattice::Box &box, const int points_per_edge, const do
   }
   return cells;
 }
+/// Elements alone must carry edges that do not reflect.
+void check_edges(const Zone &zone, const bool mirror_y)
+{
+  const auto &n = zone.n_cells();
+  bool reached  = false;
+  zone.for_each_cell(
+      [&](const Zone::Cell &cell)
+      {
+        const bool at_edge = cell[0] == 0 || cell[0] == n[0] - 1 || (cell[1] == 0 && !mirror_y) ||
+                             cell[1] == n[1] - 1;
+        reached = reached || (at_edge && zone.layer(cell) < zone.far());
+      });
+  if (reached)
+    throw InputError("The peridynamic zone, with the " + std::to_string(zone.slaved_layers()) +
+                     " cells of points that follow elements around it, reaches an edge of its "
+                     "plate, which 'Non-reflecting edges' leaves to elements alone. Enlarge the "
+                     "plate's 'Size', choose a smaller zone ('Coupling/Zone', 'Zone box'), or set "
+                     "'Non-reflecting edges = false'.");
+}
+
+Zone::Cells off_the_edges(Zone::Cells cells, const Zone &zone, const bool mirror_y)
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    if (d == 0 || !mirror_y)
+      cells.low[d] = std::max(cells.low[d], zone.slaved_layers() + 1);
+    cells.high[d] = std::min(cells.high[d], zone.n_cells()[d] - zone.slaved_layers() - 1);
+  }
+  return cells;
+}
 } // namespace
 
 std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &plate)
@@ -133,6 +163,9 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
       result.reason = "none: elastic finite elements";
   }
   result.zone->grow(boxes);
+  result.options.absorbing_edges = plate.absorbing_edges;
+  if (plate.absorbing_edges)
+    check_edges(*result.zone, box.mirror_y);
 
   // A zone that grows needs fine elements wherever it may get to, and so do contact points: where
   // the projectile and debris may be.
@@ -146,7 +179,8 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
       fine.low[d]  = std::min(fine.low[d], b.low[d]);
       fine.high[d] = std::max(fine.high[d], b.high[d]);
     }
-  result.growth_limit = fine;
+  result.growth_limit =
+      plate.absorbing_edges ? off_the_edges(fine, *result.zone, box.mirror_y) : fine;
   result.zone->set_contact_region({fine});
   for (int d = 0; d < 2; ++d)
   {

@@ -500,13 +500,20 @@ void FiniteElementForce::advance(const double kick, const double drift)
 {
   for (std::size_t i = 0; i < spread_momentum_.size(); ++i)
     spread_momentum_[i] += kick * spread_force_[i];
+  for (const auto &dashpot : dashpots_)
+  {
+    auto &f        = force_[dashpot.entry];
+    f              = damped_force(dashpot, kick);
+    const double v = velocity_[dashpot.entry] + 0.5 * kick * f * inverse_mass_[dashpot.entry];
+    absorbed_ += kick * dashpot.coefficient * v * v;
+  }
   kernel_->advance(position_.data(), velocity_.data(), force_.data(), inverse_mass_.data(),
                    static_cast<int64_t>(inverse_mass_.size()), kick, drift);
 }
 
 FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
 {
-  std::array<double, 4> sums{};
+  std::array<double, 5> sums{};
   const auto kinetic = [&](const int i, const double momentum)
   { return 0.5 * momentum * (velocity_[i] + dt * force_[i] * inverse_mass_[i]); };
   for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
@@ -528,8 +535,18 @@ FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
     for (const double energy : group.dissipated)
       sums[3] += energy;
   sums[3] += dissipated_elsewhere_;
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, communicator_);
-  return {sums[0], sums[1], sums[2], sums[3]};
+  sums[4] = absorbed_;
+  for (const auto &dashpot : dashpots_)
+  {
+    const int i         = dashpot.entry;
+    const double before = velocity_[i], f = damped_force(dashpot, dt),
+                 change = dt * inverse_mass_[i] * f;
+    sums[0] += 0.5 * mass_[i / 3] * before * dt * inverse_mass_[i] * (f - force_[i]);
+    // Up to the middle of the step.
+    sums[4] += 0.5 * dt * dashpot.coefficient * before * (before + 0.5 * change);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 5, MPI_DOUBLE, MPI_SUM, communicator_);
+  return {sums[0], sums[1], sums[2], sums[3], sums[4]};
 }
 
 double FiniteElementForce::squared_force() const

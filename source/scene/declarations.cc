@@ -187,7 +187,10 @@ SectionDeclaration plate(const unsigned int number)
                     "peridynamic"),
            optional("Zone box 2",
                     quantity(Dimension::length, Limit::any, {"x from", "x to", "y from", "y to"}),
-                    "30 mm, 170 mm, -24 mm, 24 mm", "Another such column")},
+                    "30 mm, 170 mm, -24 mm, 24 mm", "Another such column"),
+           with_default("Non-reflecting edges", flag(), "false",
+                        "Whether waves leave through the plate's side faces instead of coming "
+                        "back, as in a larger plate; finite elements must carry these faces")},
           {}};
 }
 

@@ -227,6 +227,11 @@ PlateParameters read_plate(const Parameters &parameters, const std::string &in,
                             ", from below to.");
       plate.zone_boxes.push_back({box[0], box[1], box[2], box[3]});
     }
+  plate.absorbing_edges = parameters.flag(in, "Non-reflecting edges");
+  if (plate.absorbing_edges && parameters.text("Coupling", "Zone") == "everything")
+    parameters.fail(in, "Non-reflecting edges", "Only finite elements can let waves out.",
+                    "Choose 'set Zone = automatic' or 'boxes' in the section 'Coupling', or leave "
+                    "this entry out.");
   if (parameters.text("Coupling", "Zone") == "boxes" && plate.zone_boxes.empty())
     parameters.fail("Coupling", "Zone", "The section '" + in + "' has no 'Zone box'.",
                     "Give one for every plate, as 'set Zone box = 30 mm, 170 mm, -24 mm, 24 mm'.");

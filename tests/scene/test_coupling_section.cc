@@ -111,6 +111,11 @@ TEST(CouplingSection, BadValuesAreNamedWithTheirPlace)
 
 TEST(CouplingSection, WhatDoesNotGoTogetherIsRefused)
 {
+  expect_scene_error({"Plate 1/Non-reflecting edges=true"},
+                     {"Plate 1", "Non-reflecting edges", "Coupling"});
+  EXPECT_TRUE(read_with({"Coupling/Zone=automatic", "Plate 1/Non-reflecting edges=true"})
+                  .plates[0]
+                  .absorbing_edges);
   for (const char *zone : {"everything", "none"})
     expect_scene_error({std::string("Coupling/Zone=") + zone, "Coupling/Adaptive=true"},
                        {"Coupling", "Adaptive", zone, "automatic"});
