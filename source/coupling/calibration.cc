@@ -17,8 +17,14 @@ namespace
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Tensor  = std::array<double, HexTensors::n_entries>;
 
-// A node whose force is too large is mended by the elements so many elements away.
-constexpr int mending_range = 3;
+// A node whose force is too large is mended by the elements so many grid spacings away.
+constexpr int mending_range           = 6;
+// Points whose neighbours lack neighbours are softer than those inside. What they do can be mended
+// in part only, and takes many iterations: at nodes that feel them forces may be so much larger.
+constexpr double rim_factor           = 5.;
+// Zones are symmetric, so that conjugate gradients know nothing of modes which rounding alone
+// excites: these would grow a little with each step, differently on any number of ranks.
+constexpr int turns_before_forgetting = 21;
 
 /// dN_a/dX_d times the edge, at the Gauss points.
 struct Gradients
@@ -95,7 +101,7 @@ public:
     MPI_Comm_size(communicator_, &n_ranks_);
     const double K = owner.moduli_.bulk, mu = owner.moduli_.shear;
     modulus_ = K + 4. / 3. * mu;
-    edge_    = Zone::points_per_edge * lattice_.box().spacing;
+    edge_    = lattice_.zone()->points_per_edge() * lattice_.box().spacing;
     solid_.setZero();
     solid_.topLeftCorner<3, 3>().setConstant((K - 2. / 3. * mu) / modulus_);
     for (int i = 0; i < 6; ++i)
@@ -111,9 +117,10 @@ public:
     report.ghost_before = largest(residual_);
     // C may become negative where little is left of it. What is cut off then is sought again, from
     // there; the part of the solution space without negative eigenvalues is convex.
-    while (report.n_iterations < options_.n_iterations && largest(residual_) > options_.tolerance)
+    while (report.n_iterations < options_.n_iterations && excess() > 1.)
     {
       choose_active();
+      turn();
       report.n_iterations +=
           improve(std::min(options_.round, options_.n_iterations - report.n_iterations));
       report.smallest_eigenvalue = std::min(report.smallest_eigenvalue, clip());
@@ -176,22 +183,25 @@ private:
 
   void find_elements()
   {
-    const auto &box = lattice_.box();
     for (std::size_t e = 0; e < mesh_.elements().size(); ++e)
     {
       const auto &element = mesh_.elements()[e];
       if (element.edge > 1.5 * edge_)
         continue;
-      const auto cell = cell_at(box, mesh_.centre(element));
+      const auto cell = cell_at(lattice_, mesh_.centre(element));
       if (zone_.is_slaved(cell))
-        elements_.push_back(
-            {static_cast<int>(e), cell, cell_pattern(zone_, cell, box.mirror_y), {}, {}, false});
+        elements_.push_back({static_cast<int>(e),
+                             cell,
+                             cell_pattern(zone_, cell, lattice_.box().mirror_y),
+                             {},
+                             {},
+                             false});
     }
   }
 
   std::uint64_t similar(const Zone::Cell &cell) const
   {
-    return cell_pattern(zone_, cell, lattice_.box().mirror_y, /*around=*/1, /*faces=*/3);
+    return cell_pattern(zone_, cell, lattice_.box().mirror_y, /*alike=*/true);
   }
 
   /// Only nodes of these elements matter, those of other ranks' elements included.
@@ -218,12 +228,18 @@ private:
     for (const int node : nodes_)
     {
       const auto &box      = lattice_.box();
-      const double horizon = lattice_.stencil().horizon * (1. - 1e-9);
+      const double horizon = lattice_.stencil().horizon * (1. - 1e-9),
+                   softer  = 2. * lattice_.stencil().reach * box.spacing * (1. + 1e-9);
       const Vector3 low    = mesh_.reference_position(node) - box.corner,
                     high   = box.spacing * Vector3(box.n[0], box.n[1], box.n[2]) - low;
-      bool skin            = false;
+      bool skin = false, rim = false;
       for (int d = 0; d < 3; ++d)
-        skin = skin || high[d] < horizon || (low[d] < horizon && !(d == 1 && box.mirror_y));
+      {
+        const double depth = d == 1 && box.mirror_y ? high[d] : std::min(low[d], high[d]);
+        skin               = skin || depth < horizon;
+        rim                = rim || depth < softer;
+      }
+      allowed_.push_back((rim ? rim_factor : 1.) * options_.tolerance);
       role_.push_back(skin                          ? NodeRole::skin
                       : mesh_.on_mirror_plane(node) ? NodeRole::mirror
                                                     : NodeRole::inside);
@@ -295,8 +311,8 @@ private:
     }
   }
 
-  /// Elements near nodes whose force is too large; to make it smaller than need be is left to nodes
-  /// of elements that are new.
+  /// Adds elements near nodes whose force is too large; to make it smaller than need be is left to
+  /// nodes of elements that are new.
   void choose_active()
   {
     std::vector<char> marked(nodes_.size()), is_new(nodes_.size());
@@ -307,10 +323,10 @@ private:
     share(is_new);
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (const auto &lanes : residual_[i])
-        marked[i] =
-            marked[i] || lanes.abs().maxCoeff() > (is_new[i] ? 0.5 : 1.) * options_.tolerance;
+        marked[i] = marked[i] || lanes.abs().maxCoeff() > (is_new[i] ? 0.5 : 1.) * allowed_[i];
     std::vector<char> chosen(elements_.size());
-    for (int step = 0; step < mending_range; ++step)
+    const int n_steps = std::max(1, mending_range / zone_.points_per_edge());
+    for (int step = 0; step < n_steps; ++step)
     {
       for (std::size_t i = 0; i < elements_.size(); ++i)
         chosen[i] = std::any_of(elements_[i].corner.begin(), elements_[i].corner.end(),
@@ -321,6 +337,8 @@ private:
             marked[node] = 1;
       share(marked);
     }
+    for (const int i : active_)
+      chosen[i] = 1;
     active_.clear();
     for (std::size_t i = 0; i < elements_.size(); ++i)
       if (chosen[i])
@@ -341,36 +359,45 @@ private:
       marked[i] = values[3 * nodes_[i]] > 0.;
   }
 
+  /// The next direction of descent: with what the last one is worth, by Polak and Ribiere, who
+  /// forgive that tensors were clipped in between or others have become active.
+  void turn()
+  {
+    for (auto *tensors : {&slope_, &last_slope_, &direction_})
+      tensors->resize(elements_.size(), Tensors{});
+    slope_.swap(last_slope_);
+    downhill(slope_);
+    const double squared = product(slope_, slope_);
+    const bool forget    = n_turns_++ % turns_before_forgetting == 0;
+    const double share =
+        forget ? 0. : std::max(0., (squared - product(slope_, last_slope_)) / squared_);
+    squared_ = squared;
+    for (const int i : active_)
+      for (int g = 0; g < 8; ++g)
+        for (int k = 0; k < HexTensors::n_entries; ++k)
+          direction_[i][g][k] = slope_[i][g][k] + share * direction_[i][g][k];
+  }
+
   /// At most so many steps of conjugate gradients towards the smallest residual with the smallest
   /// change of the active tensors; returns how many.
   int improve(const int n_iterations)
   {
-    std::vector<Tensors> slope(active_.size()), direction;
-    downhill(slope);
-    direction      = slope;
-    double squared = product(slope);
-    for (int iteration = 1; squared > 0.; ++iteration)
+    for (int iteration = 1; squared_ > 0.; ++iteration)
     {
       Nodal image(nodes_.size());
-      for (std::size_t i = 0; i < active_.size(); ++i)
-        apply(elements_[active_[i]], direction[i], image);
+      for (const int i : active_)
+        apply(elements_[i], direction_[i], image);
       complete(image);
-      const double step = squared / product(image);
-      for (std::size_t i = 0; i < active_.size(); ++i)
+      const double step = product(slope_, direction_) / product(image);
+      for (const int i : active_)
         for (int g = 0; g < 8; ++g)
-          add(step, direction[i][g], elements_[active_[i]].tensors[g]);
+          add(step, direction_[i][g], elements_[i].tensors[g]);
       for (std::size_t i = 0; i < residual_.size(); ++i)
         for (int c = 0; c < 3; ++c)
           residual_[i][c] += step * image[i][c];
-      if (iteration == n_iterations || largest(residual_) < options_.tolerance)
+      if (iteration == n_iterations || excess() < 1.)
         return iteration;
-      downhill(slope);
-      const double next = product(slope), beta = next / squared;
-      squared = next;
-      for (std::size_t i = 0; i < active_.size(); ++i)
-        for (int g = 0; g < 8; ++g)
-          for (int k = 0; k < HexTensors::n_entries; ++k)
-            direction[i][g][k] = slope[i][g][k] + beta * direction[i][g][k];
+      turn();
     }
     return n_iterations;
   }
@@ -442,7 +469,7 @@ private:
   /// Minus the transpose of apply(), of the residual.
   void downhill(std::vector<Tensors> &slope) const
   {
-    for (std::size_t i = 0; i < active_.size(); ++i)
+    for (const int i : active_)
       for (int g = 0; g < 8; ++g)
       {
         StrainLanes s[6];
@@ -450,7 +477,7 @@ private:
           lanes.setZero();
         for (int a = 0; a < 8; ++a)
         {
-          const auto &f   = residual_[elements_[active_[i]].corner[a]];
+          const auto &f   = residual_[elements_[i].corner[a]];
           const double *n = gradients.n[g][a];
           for (int c = 0; c < 3; ++c)
             for (int d = 0; d < 3; ++d)
@@ -505,13 +532,13 @@ private:
     MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
     return sum;
   }
-  double product(const std::vector<Tensors> &x) const
+  double product(const std::vector<Tensors> &x, const std::vector<Tensors> &y) const
   {
     double sum = 0.;
-    for (const auto &tensors : x)
-      for (const auto &tensor : tensors)
-        for (const double value : tensor)
-          sum += value * value;
+    for (const int i : active_)
+      for (int g = 0; g < 8; ++g)
+        for (int k = 0; k < HexTensors::n_entries; ++k)
+          sum += x[i][g][k] * y[i][g][k];
     MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
     return sum;
   }
@@ -525,6 +552,17 @@ private:
     return most;
   }
 
+  /// The largest force in units of what is allowed there.
+  double excess() const
+  {
+    double most = 0.;
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+      for (const auto &lanes : residual_[i])
+        most = std::max(most, lanes.abs().maxCoeff() / allowed_[i]);
+    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+    return most;
+  }
+
   MPI_Comm communicator_;
   int n_ranks_;
   const HexMesh &mesh_;
@@ -534,10 +572,15 @@ private:
   double modulus_, edge_; // M [Pa], h [m]
   Matrix6 solid_;         // of the plain elements
   std::vector<Element> elements_;
-  std::vector<int> nodes_;     // local numbers in the mesh
-  std::vector<NodeRole> role_; // of nodes_
-  std::vector<int> active_;    // numbers of elements_ that change
+  std::vector<int> nodes_;      // local numbers in the mesh
+  std::vector<NodeRole> role_;  // of nodes_
+  std::vector<double> allowed_; // force at nodes_ [-]
+  std::vector<int> active_;     // numbers of elements_ that change
   Nodal residual_;
+  // Of the conjugate gradients, per entry of elements_; zero but for active ones.
+  std::vector<Tensors> slope_, last_slope_, direction_;
+  double squared_ = 0.;
+  int n_turns_    = 0;
 };
 
 Calibration::Calibration(const MPI_Comm communicator, const PeridynamicForce &points,

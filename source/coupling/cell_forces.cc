@@ -7,19 +7,30 @@ namespace ricochet
 {
 namespace
 {
-/// The shape functions at the centres of the sub-cubes.
-double shape(const int corner, const int sub_cube)
+/// The shape function of a corner at the centre of a sub-cube, n along an edge.
+double shape(const int corner, const std::array<int, 3> &sub_cube, const int n)
 {
   double value = 1.;
   for (int d = 0; d < 3; ++d)
-    value *= ((corner ^ sub_cube) >> d) & 1 ? 0.25 : 0.75;
+  {
+    const double at = (sub_cube[d] + 0.5) / n;
+    value *= (corner >> d) & 1 ? at : 1. - at;
+  }
   return value;
+}
+
+int cells_for(const int points, const Zone &zone)
+{
+  return (points + zone.points_per_edge() - 1) / zone.points_per_edge();
 }
 } // namespace
 
 std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, const bool mirrored,
-                           const int around, const int faces)
+                           const bool alike)
 {
+  // Bonds reach as far as the halo is wide; a little more, as tensors depend on their neighbours.
+  const int around = alike ? cells_for(2, zone) : std::max(cells_for(4, zone), zone.halo_layers());
+  const int faces  = cells_for(alike ? 6 : 10, zone);
   // FNV-1a over small numbers.
   std::uint64_t hash = 14695981039346656037ull;
   const auto add     = [&](const int value)
@@ -85,17 +96,17 @@ CellForces::Entry CellForces::computed(const Zone::Cell &cell)
   for (auto &corner : entry.corner)
     corner = {StrainLanes::Zero(), StrainLanes::Zero(), StrainLanes::Zero()};
   double stress = 0.;
-  for (int sub = 0; sub < 8; ++sub)
-  {
-    std::array<int, 3> point;
-    for (int d = 0; d < 3; ++d)
-      point[d] = Zone::points_per_edge * cell[d] + ((sub >> d) & 1);
-    const auto force = point_force(point, stress);
-    for (int a = 0; a < 8; ++a)
-      for (int c = 0; c < 3; ++c)
-        entry.corner[a][c] += shape(a, sub) * force[c];
-  }
-  entry.stress_share = stress / (8. * bulk_stress_);
+  const int n   = lattice_.zone()->points_per_edge();
+  for (int z = 0; z < n; ++z)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x)
+      {
+        const auto force = point_force({n * cell[0] + x, n * cell[1] + y, n * cell[2] + z}, stress);
+        for (int a = 0; a < 8; ++a)
+          for (int c = 0; c < 3; ++c)
+            entry.corner[a][c] += shape(a, {x, y, z}, n) * force[c];
+      }
+  entry.stress_share = stress / (n * n * n * bulk_stress_);
   return entry;
 }
 

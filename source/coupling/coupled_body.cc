@@ -236,7 +236,7 @@ void CoupledBody::place_points(const BodyOfRevolution &shape, const Parameters &
   const bool has_elements = interface_ > base;
   const Stencil stencil   = make_stencil(spacing, 3., InfluenceFunction::cone);
   const auto cells        = [&](const double points)
-  { return static_cast<int>(std::ceil(points / Zone::points_per_edge)); };
+  { return static_cast<int>(std::ceil(points / Zone::usual_points_per_edge)); };
 
   // In cells of the lattice; the plane of the interface lies between two of them.
   const int behind    = has_elements ? Zone({1, 1, 1}, stencil.reach).slaved_layers() : 0;
@@ -246,7 +246,7 @@ void CoupledBody::place_points(const BodyOfRevolution &shape, const Parameters &
       has_elements ? length / spacing : std::max(1., std::round(length / spacing));
   const std::array<int, 3> n_cells{behind + cells(points_along),
                                    parameters.mirrored ? across : 2 * across, 2 * across};
-  overlap_.length = behind * Zone::points_per_edge * spacing;
+  overlap_.length = behind * Zone::usual_points_per_edge * spacing;
   if (overlap_.length > interface_ - base)
   {
     std::ostringstream message;
@@ -260,8 +260,8 @@ void CoupledBody::place_points(const BodyOfRevolution &shape, const Parameters &
   box.spacing  = spacing;
   box.mirror_y = parameters.mirrored;
   for (int d = 0; d < 3; ++d)
-    box.n[d] = Zone::points_per_edge * n_cells[d];
-  const double half_width = across * Zone::points_per_edge * spacing;
+    box.n[d] = Zone::usual_points_per_edge * n_cells[d];
+  const double half_width = across * Zone::usual_points_per_edge * spacing;
   box.corner              = {has_elements ? interface_ - overlap_.length
                                           : base + 0.5 * (length - points_along * spacing),
                 parameters.mirrored ? 0. : -half_width, -half_width};
@@ -271,7 +271,7 @@ void CoupledBody::place_points(const BodyOfRevolution &shape, const Parameters &
     return shape.hit(place).distance < 0.;
   };
   double n_points = 0.; // that are free
-  for (int x = behind * Zone::points_per_edge; x < box.n[0]; ++x)
+  for (int x = behind * Zone::usual_points_per_edge; x < box.n[0]; ++x)
     for (int y = 0; y < box.n[1]; ++y)
       for (int z = 0; z < box.n[2]; ++z)
         n_points += inside(x, y, z);

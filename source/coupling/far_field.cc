@@ -15,24 +15,18 @@ namespace
 // tensors at eight.
 constexpr unsigned int cost_of_none = 1, cost_of_one = 10, cost_of_slaved = 60;
 
-int cells_in(const double horizons, const Stencil &stencil)
+int cells_in(const double horizons, const Stencil &stencil, const int points_per_edge)
 {
-  return std::max(
-      1, static_cast<int>(std::ceil(
-             horizons * stencil.horizon / stencil.spacing / Zone::points_per_edge - 1e-9)));
-}
-
-int layers_for_horizon(const Stencil &stencil)
-{
-  return (stencil.reach + Zone::points_per_edge - 1) / Zone::points_per_edge;
+  return std::max(1, static_cast<int>(std::ceil(
+                         horizons * stencil.horizon / stencil.spacing / points_per_edge - 1e-9)));
 }
 
 HexMesh::Box mesh_box(const PeridynamicForce &points, const Zone &zone,
                       const FarFieldOptions &options)
 {
   const auto &box    = points.lattice().box();
-  const double cell  = Zone::points_per_edge * box.spacing;
-  const int multiple = Zone::points_per_edge << options.coarsening_levels;
+  const double cell  = zone.points_per_edge() * box.spacing;
+  const int multiple = zone.points_per_edge() << options.coarsening_levels;
   HexMesh::Box mesh{box.corner, cell * (1 << options.coarsening_levels), {}, box.mirror_y, {}};
   for (int d = 0; d < 3; ++d)
   {
@@ -53,9 +47,9 @@ HexMesh::Box mesh_box(const PeridynamicForce &points, const Zone &zone,
     }
     mesh.regions.push_back(region);
   }
-  mesh.cost = [&zone, &box, cell](const Vector3 &centre, const double edge)
+  mesh.cost = [&zone, &points, cell](const Vector3 &centre, const double edge)
   {
-    const auto at = cell_at(box, centre);
+    const auto at = cell_at(points.lattice(), centre);
     return edge > 1.5 * cell || (!zone.is_free(at) && !zone.is_slaved(at)) ? cost_of_one
            : zone.is_free(at)                                              ? cost_of_none
                                                                            : cost_of_slaved;
@@ -70,7 +64,7 @@ FiniteElementForce::Options element_options(const PeridynamicForce &points, cons
   result.quadrature            = options.quadrature;
   result.hourglass_coefficient = options.hourglass_coefficient;
   result.active                = [&zone, &points](const Vector3 &centre)
-  { return !zone.is_free(cell_at(points.lattice().box(), centre)); };
+  { return !zone.is_free(cell_at(points.lattice(), centre)); };
   return result;
 }
 
@@ -101,16 +95,17 @@ double blend(const BlendFunction function, const double t)
 Zone make_zone(const std::array<int, 3> &n_cells, const Stencil &stencil,
                const CouplingParameters &coupling)
 {
-  const int layers = cells_in(coupling.blend_width, stencil);
+  const int n      = coupling.points_per_edge;
+  const int layers = cells_in(coupling.blend_width, stencil, n);
   switch (coupling.method)
   {
     case CouplingMethod::energy_blend:
-      return Zone(n_cells, stencil.reach, coupling.blend, layers);
+      return Zone(n_cells, stencil.reach, coupling.blend, layers, n);
     case CouplingMethod::force_blend: // the forces of blended points are needed in full
-      return Zone(n_cells, stencil.reach, BlendFunction::step,
-                  layers + layers_for_horizon(stencil));
+      return Zone(n_cells, stencil.reach, BlendFunction::step, layers + (stencil.reach + n - 1) / n,
+                  n);
     default:
-      return Zone(n_cells, stencil.reach);
+      return Zone(n_cells, stencil.reach, BlendFunction::step, 0, n);
   }
 }
 
@@ -129,6 +124,8 @@ FarField::FarField(const MPI_Comm communicator, PeridynamicForce &points, Zone &
     shear_calibration_ = std::make_unique<Calibration>(
         communicator, points, elements_, ElasticModuli{0., elements_.material().shear_modulus},
         options.coupling.calibration);
+  if (options_.absorbing_edges)
+    elements_.absorb_at({true, true, !points.lattice().box().mirror_y, true, false, false});
   join();
   lead();
 }
@@ -150,7 +147,7 @@ void FarField::join()
       break;
   }
 
-  const double cell = Zone::points_per_edge * box.spacing;
+  const double cell = zone_.points_per_edge() * box.spacing;
   if (options_.coupling.correct_mass)
   {
     std::vector<int> pad;
@@ -159,17 +156,18 @@ void FarField::join()
       const auto &element = mesh.elements()[e];
       if (element.edge > 1.5 * cell)
         continue;
-      const int layer = zone_.layer(cell_at(box, mesh.centre(element)));
+      const int layer = zone_.layer(cell_at(points_.lattice(), mesh.centre(element)));
       if (layer > 0 && layer <= zone_.pad_layers())
         pad.push_back(static_cast<int>(e));
     }
-    elements_.set_consistent_mass(pad);
+    elements_.set_consistent_mass(pad, zone_.points_per_edge());
   }
   tie();
 
   if (options_.coupling.method == CouplingMethod::force_blend)
   {
-    const int width = cells_in(options_.coupling.blend_width, points_.lattice().stencil());
+    const int width = cells_in(options_.coupling.blend_width, points_.lattice().stencil(),
+                               zone_.points_per_edge());
     bond_share_.clear();
     for (int node = 0; node < mesh.n_owned_nodes(); ++node)
     {
@@ -249,20 +247,22 @@ std::vector<ElementStiffness> FarField::blended_stiffness() const
 {
   const auto &mesh    = elements_.mesh();
   const auto &box     = points_.lattice().box();
-  const double cell   = Zone::points_per_edge * box.spacing;
+  const int n         = zone_.points_per_edge();
+  const double cell   = n * box.spacing;
   const double mu     = elements_.material().shear_modulus,
                lambda = elements_.material().bulk_modulus - 2. / 3. * mu;
   std::vector<ElementStiffness> stiffness;
   for (std::size_t e = 0; e < mesh.elements().size(); ++e)
   {
     const auto &element = mesh.elements()[e];
-    const auto at       = cell_at(box, mesh.centre(element));
+    const auto at       = cell_at(points_.lattice(), mesh.centre(element));
     if (element.edge > 1.5 * cell || !zone_.is_slaved(at))
       continue;
     double share = 1.;
-    for (int sub = 0; sub < 8; ++sub)
-      share -= 0.125 * zone_.weight(2 * at[0] + (sub & 1), 2 * at[1] + ((sub >> 1) & 1),
-                                    2 * at[2] + (sub >> 2));
+    for (int z = n * at[2]; z < n * (at[2] + 1); ++z)
+      for (int y = n * at[1]; y < n * (at[1] + 1); ++y)
+        for (int x = n * at[0]; x < n * (at[0] + 1); ++x)
+          share -= zone_.weight(x, y, z) / (n * n * n);
     ElementStiffness own{static_cast<int>(e), {}};
     const auto isotropic = [&](const double first)
     {
@@ -344,7 +344,7 @@ FarField::Energies FarField::energies(const double dt) const
   const auto points = points_.energies(dt);
   const auto nodes  = elements_.energies(dt);
   return {points.kinetic + nodes.kinetic, points.strain + nodes.strain, nodes.hourglass,
-          points.viscous + nodes.viscous};
+          points.viscous + nodes.viscous, nodes.absorbed};
 }
 
 PeridynamicForce::Momenta FarField::momenta() const
@@ -415,7 +415,7 @@ bool FarField::convert(const std::vector<Zone::Cells> &cells)
           last  = std::max(last, cell[0] + 1);
         }
       });
-  points_.follow_zone(Zone::points_per_edge * first, Zone::points_per_edge * last);
+  points_.follow_zone(zone_.points_per_edge() * first, zone_.points_per_edge() * last);
 
   // All points that did not move by themselves start from where the nodes are.
   SlavedPoints starting(communicator_, elements_, points_.lattice(),
@@ -442,8 +442,8 @@ bool FarField::convert(const std::vector<Zone::Cells> &cells)
     points_.continue_history(histories);
   }
 
-  const auto &box = points_.lattice().box();
-  elements_.set_active([&](const Vector3 &centre) { return !zone_.is_free(cell_at(box, centre)); });
+  elements_.set_active([&](const Vector3 &centre)
+                       { return !zone_.is_free(cell_at(points_.lattice(), centre)); });
   join();
   lead();
   return true;

@@ -27,7 +27,7 @@ public:
   {
     const auto &m = plate.elements().material();
     modulus_      = m.bulk_modulus + 4. / 3. * m.shear_modulus;
-    edge_         = Zone::points_per_edge * lattice_.box().spacing;
+    edge_         = lattice_.zone()->points_per_edge() * lattice_.box().spacing;
     lattice_.for_each_owned(
         [&](const std::ptrdiff_t p)
         {

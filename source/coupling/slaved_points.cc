@@ -11,22 +11,47 @@ namespace ricochet
 {
 namespace
 {
-// Shape functions along an edge at the centres of its halves.
-constexpr double near = 0.75, far = 0.25;
-
-/// Between the values at the corners and those at the sub-cubes' centres; the matrix is symmetric,
-/// so it is its own transpose. Three components per corner.
-inline void blend_along_axes(double (&v)[8][3])
+/// The shape functions of the two ends of an edge at the centres of its n parts.
+template <int n>
+struct EdgeShapes
 {
-  for (const int axis : {1, 2, 4})
-    for (int corner = 0; corner < 8; ++corner)
-      if ((corner & axis) == 0)
-        for (int d = 0; d < 3; ++d)
-        {
-          const double low = v[corner][d], high = v[corner | axis][d];
-          v[corner][d]        = near * low + far * high;
-          v[corner | axis][d] = far * low + near * high;
-        }
+  double at[n][2];
+
+  constexpr EdgeShapes() : at{}
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      at[i][1] = (i + 0.5) / n;
+      at[i][0] = 1. - at[i][1];
+    }
+  }
+};
+
+/// One axis of a product of shape functions: values of `inner` numbers at the two ends become such
+/// at n points, or sums back to the ends; `outer` times.
+template <int n, int outer, int inner>
+inline void spread(const double *const ends, double *const points)
+{
+  constexpr EdgeShapes<n> shapes;
+  for (int o = 0; o < outer; ++o)
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < inner; ++k)
+        points[(o * n + i) * inner + k] = shapes.at[i][0] * ends[2 * o * inner + k] +
+                                          shapes.at[i][1] * ends[(2 * o + 1) * inner + k];
+}
+template <int n, int outer, int inner>
+inline void collect(const double *const points, double *const ends)
+{
+  constexpr EdgeShapes<n> shapes;
+  for (int o = 0; o < outer; ++o)
+    for (int end = 0; end < 2; ++end)
+      for (int k = 0; k < inner; ++k)
+      {
+        double sum = shapes.at[0][end] * points[o * n * inner + k];
+        for (int i = 1; i < n; ++i)
+          sum += shapes.at[i][end] * points[(o * n + i) * inner + k];
+        ends[(2 * o + end) * inner + k] = sum;
+      }
 }
 
 struct SentCell
@@ -36,9 +61,10 @@ struct SentCell
 };
 } // namespace
 
-Zone::Cell cell_at(const Lattice::Box &box, const Vector3 &position)
+Zone::Cell cell_at(const Lattice &lattice, const Vector3 &position)
 {
-  const Vector3 at = (position - box.corner) / (Zone::points_per_edge * box.spacing);
+  const auto &box  = lattice.box();
+  const Vector3 at = (position - box.corner) / (lattice.zone()->points_per_edge() * box.spacing);
   return {static_cast<int>(std::floor(at[0])), static_cast<int>(std::floor(at[1])),
           static_cast<int>(std::floor(at[2]))};
 }
@@ -46,23 +72,23 @@ Zone::Cell cell_at(const Lattice::Box &box, const Vector3 &position)
 SlavedPoints::SlavedPoints(const MPI_Comm communicator, const FiniteElementForce &elements,
                            const Lattice &lattice,
                            const std::function<bool(const Zone::Cell &)> &follows) :
+  points_per_edge_(lattice.zone()->points_per_edge()),
   stride_{lattice.plane_stride(), 1, lattice.row_stride()}
 {
   const auto &mesh   = elements.mesh();
-  const auto &box    = lattice.box();
-  const double edge  = Zone::points_per_edge * box.spacing;
+  const double edge  = points_per_edge_ * lattice.box().spacing;
   const auto &starts = lattice.plane_starts();
   std::vector<std::vector<SentCell>> sent(starts.size() - 1);
   for (const auto &element : mesh.elements())
   {
     if (std::abs(element.edge - edge) > 0.1 * edge)
       continue;
-    SentCell one{cell_at(box, mesh.centre(element)), {}};
+    SentCell one{cell_at(lattice, mesh.centre(element)), {}};
     if (!follows(one.cell))
       continue;
     for (int corner = 0; corner < 8; ++corner)
       one.node[corner] = mesh.global_node(element.nodes[corner]);
-    const int plane = Zone::points_per_edge * one.cell[0];
+    const int plane = points_per_edge_ * one.cell[0];
     const auto rank = std::upper_bound(starts.begin(), starts.end(), plane) - starts.begin() - 1;
     sent[rank].push_back(one);
   }
@@ -81,7 +107,7 @@ SlavedPoints::SlavedPoints(const MPI_Comm communicator, const FiniteElementForce
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   for (const auto &one : received)
   {
-    constexpr int n = Zone::points_per_edge;
+    const int n = points_per_edge_;
     Cell cell{lattice.index(n * one.cell[0], n * one.cell[1], n * one.cell[2]), {}};
     for (int corner = 0; corner < 8; ++corner)
       cell.node[corner] = static_cast<int>(
@@ -92,19 +118,59 @@ SlavedPoints::SlavedPoints(const MPI_Comm communicator, const FiniteElementForce
   values_.resize(3 * nodes.size());
 }
 
+template <int n>
+void SlavedPoints::interpolate_cells(double *const field[3]) const
+{
+  for (const auto &cell : cells_)
+  {
+    double corners[8 * 3], x[4 * n * 3], y[2 * n * n * 3], v[n * n * n * 3];
+    for (int corner = 0; corner < 8; ++corner)
+      for (int d = 0; d < 3; ++d)
+        corners[3 * corner + d] = values_[3 * cell.node[corner] + d];
+    spread<n, 4, 3>(corners, x);
+    spread<n, 2, 3 * n>(x, y);
+    spread<n, 1, 3 * n * n>(y, v);
+    for_each_point<n>(cell,
+                      [&](const std::ptrdiff_t p, const int i)
+                      {
+                        for (int d = 0; d < 3; ++d)
+                          field[d][p] = v[3 * i + d];
+                      });
+  }
+}
+
+template <int n>
+void SlavedPoints::collect_forces(const LatticeState &state)
+{
+  for (const auto &cell : cells_)
+  {
+    double v[n * n * n * 3], x[2 * n * n * 3], y[4 * n * 3], corners[8 * 3];
+    for_each_point<n>(cell,
+                      [&](const std::ptrdiff_t p, const int i)
+                      {
+                        for (int d = 0; d < 3; ++d)
+                          v[3 * i + d] = state.arrays.force[d][p];
+                      });
+    collect<n, n * n, 3>(v, x);
+    collect<n, n, 2 * 3>(x, y);
+    collect<n, 1, 4 * 3>(y, corners);
+    for (int corner = 0; corner < 8; ++corner)
+      for (int d = 0; d < 3; ++d)
+        values_[3 * cell.node[corner] + d] += corners[3 * corner + d];
+  }
+}
+
 void SlavedPoints::interpolate(const std::vector<double> &nodal, double *const field[3])
 {
   links_.fetch(nodal, values_);
-  for (const auto &cell : cells_)
+  switch (points_per_edge_)
   {
-    double v[8][3];
-    for (int corner = 0; corner < 8; ++corner)
-      for (int d = 0; d < 3; ++d)
-        v[corner][d] = values_[3 * cell.node[corner] + d];
-    blend_along_axes(v);
-    for (int corner = 0; corner < 8; ++corner)
-      for (int d = 0; d < 3; ++d)
-        field[d][point(cell, corner)] = v[corner][d];
+    case 1:
+      return interpolate_cells<1>(field);
+    case 2:
+      return interpolate_cells<2>(field);
+    default:
+      return interpolate_cells<4>(field);
   }
 }
 
@@ -117,16 +183,16 @@ void SlavedPoints::follow(const FiniteElementForce &elements, LatticeState &stat
 void SlavedPoints::hand_on(const LatticeState &state, std::vector<double> &nodal_force)
 {
   std::fill(values_.begin(), values_.end(), 0.);
-  for (const auto &cell : cells_)
+  switch (points_per_edge_)
   {
-    double v[8][3];
-    for (int corner = 0; corner < 8; ++corner)
-      for (int d = 0; d < 3; ++d)
-        v[corner][d] = state.arrays.force[d][point(cell, corner)];
-    blend_along_axes(v);
-    for (int corner = 0; corner < 8; ++corner)
-      for (int d = 0; d < 3; ++d)
-        values_[3 * cell.node[corner] + d] += v[corner][d];
+    case 1:
+      collect_forces<1>(state);
+      break;
+    case 2:
+      collect_forces<2>(state);
+      break;
+    default:
+      collect_forces<4>(state);
   }
   links_.add(values_, nodal_force);
 }

@@ -37,7 +37,7 @@ std::vector<int> share_planes(const int n_planes, const int n_ranks, const int r
     return starts;
   }
 
-  constexpr int edge     = Zone::points_per_edge;
+  const int edge         = zone->points_per_edge();
   const int n_layers     = n_planes / edge;
   const int least_layers = (reach + edge - 1) / edge;
   const auto work        = work_before(*zone);
@@ -83,7 +83,7 @@ Lattice::Lattice(const Box &box, const Stencil &stencil, const int rank, const i
         std::to_string(stencil.reach) + ". Widen the plate or refine the grid spacing.");
   const int n_planes_all = box.n[0];
   // Cells of a zone are not cut: shares may be smaller than the mean by one of them.
-  const int least        = stencil.reach + (zone ? Zone::points_per_edge : 0);
+  const int least        = stencil.reach + (zone ? zone->points_per_edge() : 0);
   if (n_ranks > 1 && n_planes_all / n_ranks < least)
     throw InputError(
         "A plate of " + std::to_string(n_planes_all) + " lattice planes cannot be shared by " +
@@ -118,8 +118,8 @@ double Lattice::imbalance(const std::vector<int> &plane_starts) const
   const std::size_t n = plane_starts.size() - 1;
   double largest      = 0.;
   for (std::size_t rank = 0; rank < n; ++rank)
-    largest = std::max(largest, work[plane_starts[rank + 1] / Zone::points_per_edge] -
-                                    work[plane_starts[rank] / Zone::points_per_edge]);
+    largest = std::max(largest, work[plane_starts[rank + 1] / zone_->points_per_edge()] -
+                                    work[plane_starts[rank] / zone_->points_per_edge()]);
   return largest * n / work.back();
 }
 

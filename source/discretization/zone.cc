@@ -41,9 +41,9 @@ Zone::Cells common(Zone::Cells a, const Zone::Cells &b)
 } // namespace
 
 Zone::Zone(const std::array<int, 3> &n_cells, const int reach, const BlendFunction blend,
-           const int blend_layers) :
+           const int blend_layers, const int points_per_edge) :
   n_(n_cells),
-  limit_{{0, 0, 0}, n_cells},
+  limit_{{0, 0, 0}, n_cells}, points_per_edge_(points_per_edge),
   // A free point feels the dilatation of its neighbours, so these need all of theirs.
   pad_(std::max((reach + points_per_edge - 1) / points_per_edge, blend_layers)),
   halo_((reach + points_per_edge - 1) / points_per_edge), blend_(blend),
@@ -93,7 +93,7 @@ std::array<int, 2> Zone::rows() const
           high = std::max(high, cell[1] + 1);
         }
       });
-  return {points_per_edge * std::max(0, low), points_per_edge * std::min(n_[1], high)};
+  return {points_per_edge_ * std::max(0, low), points_per_edge_ * std::min(n_[1], high)};
 }
 
 std::vector<char> Zone::rim(const int width) const
@@ -143,7 +143,7 @@ void Zone::find_layers()
 
 double Zone::weight(const int x, const int y, const int z) const
 {
-  const Cell cell{x / points_per_edge, y / points_per_edge, z / points_per_edge};
+  const Cell cell = cell_of(x, y, z);
   const int layer = this->layer(cell);
   if (layer == 0)
     return 1.;
@@ -152,18 +152,27 @@ double Zone::weight(const int x, const int y, const int z) const
   if (blend_ == BlendFunction::step)
     return 1.;
 
-  // Distance from the zone in points: those next to a cell of the layer before are nearer.
-  int distance      = points_per_edge * layer;
-  const int side[3] = {x % 2 ? 1 : -1, y % 2 ? 1 : -1, z % 2 ? 1 : -1};
-  for (int corner = 1; corner < 8; ++corner)
-  {
-    Cell other = cell;
-    for (int d = 0; d < 3; ++d)
-      other[d] += (corner >> d) & 1 ? side[d] : 0;
-    if (contains(other) && this->layer(other) == layer - 1)
-      distance = points_per_edge * (layer - 1) + 1;
-  }
-  const double t = (distance - 0.5) / (points_per_edge * pad_);
+  // Distance from the zone in points: to the nearest cell of the layer before, and from there on.
+  const int n     = points_per_edge_;
+  const int at[3] = {x % n, y % n, z % n};
+  int nearest     = n;
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j)
+      for (int k = -1; k <= 1; ++k)
+      {
+        const int side[3] = {i, j, k};
+        Cell other        = cell;
+        int apart         = 1;
+        for (int d = 0; d < 3; ++d)
+        {
+          other[d] += side[d];
+          apart = std::max(apart, side[d] < 0 ? at[d] + 1 : side[d] > 0 ? n - at[d] : 1);
+        }
+        if (contains(other) && this->layer(other) == layer - 1)
+          nearest = std::min(nearest, apart);
+      }
+  const int distance = n * (layer - 1) + nearest;
+  const double t     = (distance - 0.5) / (n * pad_);
   return blend_ == BlendFunction::linear ? 1. - t : 1. - t * t * (3. - 2. * t);
 }
 

@@ -100,7 +100,7 @@ void print_plates(const Simulation &simulation)
           100. * far->zone().n_free_cells() / far->zone().n_cells_in_all(),
           static_cast<long long>(far->elements().mesh().n_global_elements() -
                                  far->zone().n_free_cells()),
-          Zone::points_per_edge * box.spacing / mm, far->elements().mesh().box().edge / mm,
+          far->zone().points_per_edge() * box.spacing / mm, far->elements().mesh().box().edge / mm,
           static_cast<long long>(far->zone().n_slaved_cells()));
     std::printf("  lattice      %d x %d x %d points, spacing %.4g mm, horizon %.4g mm, %zu bonds "
                 "per point\n",

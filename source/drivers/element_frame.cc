@@ -37,14 +37,15 @@ void add_elements(const FarField &far_field, const int body, ElementFrame &frame
 {
   const auto &elements = far_field.elements();
   const auto &mesh     = elements.mesh();
-  const auto &box      = far_field.points().lattice().box();
+  const auto &lattice  = far_field.points().lattice();
+  const auto &box      = lattice.box();
   const auto &zone     = far_field.zone();
   const auto at        = [](const std::vector<double> &values, const int node)
   { return Vector3(values[3 * node], values[3 * node + 1], values[3 * node + 2]); };
   for (const auto &element : mesh.elements())
   {
-    const auto cell     = cell_at(box, mesh.centre(element));
-    const bool cellwise = element.edge < 1.5 * Zone::points_per_edge * box.spacing;
+    const auto cell     = cell_at(lattice, mesh.centre(element));
+    const bool cellwise = element.edge < 1.5 * zone.points_per_edge() * box.spacing;
     if (cellwise && (zone.layer(cell) < zone.far() || zone.has_contact(cell)))
       continue;
     std::array<Vector3, 8> corners;

@@ -12,7 +12,8 @@ namespace ricochet
 {
 namespace
 {
-constexpr int most_levels      = 2;
+// Of the largest elements, in grid spacings.
+constexpr int largest_edge     = 8;
 // More would be another plate [-].
 constexpr double most_rounding = 0.05;
 
@@ -27,51 +28,106 @@ int coarsening_levels(const Scene &scene, const PlateParameters &plate)
 {
   if (scene.zone.coarsening_levels >= 0)
     return scene.zone.coarsening_levels;
-  const int n_cells =
-      rounded(plate.thickness, plate.spacing, Zone::points_per_edge) / Zone::points_per_edge;
-  int levels = 0;
-  while (levels < most_levels && n_cells % (2 << levels) == 0)
+  const int n       = scene.zone.coupling.points_per_edge;
+  const int n_cells = rounded(plate.thickness, plate.spacing, n) / n;
+  int levels        = 0;
+  while ((2 * n << levels) <= largest_edge && n_cells % (2 << levels) == 0)
     ++levels;
   return levels;
 }
 
-Zone::Cells columns(const Lattice::Box &box, const double x_low, const double x_high,
-                    const double y_low, const double y_high)
+Zone::Cells columns(const Lattice::Box &box, const int points_per_edge, const double x_low,
+                    const double x_high, const double y_low, const double y_high)
 {
-  const double cell = Zone::points_per_edge * box.spacing;
+  const double cell = points_per_edge * box.spacing;
   const auto from   = [&](const double x, const int d)
   { return static_cast<int>(std::floor((x - box.corner[d]) / cell + 1e-9)); };
   const auto to = [&](const double x, const int d)
   { return static_cast<int>(std::ceil((x - box.corner[d]) / cell - 1e-9)); };
   Zone::Cells cells{{from(x_low, 0), from(y_low, 1), 0},
-                    {to(x_high, 0), to(y_high, 1), box.n[2] / Zone::points_per_edge}};
+                    {to(x_high, 0), to(y_high, 1), box.n[2] / points_per_edge}};
   for (int d = 0; d < 3; ++d)
   {
-    const int n   = box.n[d] / Zone::points_per_edge;
+    const int n   = box.n[d] / points_per_edge;
     cells.low[d]  = std::clamp(cells.low[d], 0, n);
     cells.high[d] = std::clamp(cells.high[d], 0, n);
   }
   return cells;
 }
 
+/// On a plate whose upper face lies so deep below that of the first.
+ImpactGeometry impact_on(const Scene &scene, const double depth, const double thickness,
+                         const double horizon)
+{
+  return {scene.projectile.shape.diameter,
+          scene.projectile.shape.length,
+          scene.impact.speed,
+          scene.impact.incidence_angle,
+          scene.impact.entry_x,
+          scene.impact.entry_y,
+          depth,
+          thickness,
+          horizon};
+}
+
 /// The smallest box around all; without any, an empty one.
 Zone::Cells hull(const std::vector<Zone::Cells> &boxes)
 {
-  Zone::Cells cells = boxes.empty() ? Zone::Cells{} : boxes.front();
+  Zone::Cells cells{};
+  bool empty = true;
   for (const auto &box : boxes)
+  {
+    if (box.low[0] >= box.high[0])
+      continue;
+    if (empty)
+      cells = box;
+    empty = false;
     for (int d = 0; d < 3; ++d)
     {
       cells.low[d]  = std::min(cells.low[d], box.low[d]);
       cells.high[d] = std::max(cells.high[d], box.high[d]);
     }
+  }
+  return cells;
+}
+
+/// Elements alone must carry edges that do not reflect.
+void check_edges(const Zone &zone, const bool mirror_y)
+{
+  const auto &n = zone.n_cells();
+  bool reached  = false;
+  zone.for_each_cell(
+      [&](const Zone::Cell &cell)
+      {
+        const bool at_edge = cell[0] == 0 || cell[0] == n[0] - 1 || (cell[1] == 0 && !mirror_y) ||
+                             cell[1] == n[1] - 1;
+        reached = reached || (at_edge && zone.layer(cell) < zone.far());
+      });
+  if (reached)
+    throw InputError("The peridynamic zone, with the " + std::to_string(zone.slaved_layers()) +
+                     " cells of points that follow elements around it, reaches an edge of its "
+                     "plate, which 'Non-reflecting edges' leaves to elements alone. Enlarge the "
+                     "plate's 'Size', choose a smaller zone ('Coupling/Zone', 'Zone box'), or set "
+                     "'Non-reflecting edges = false'.");
+}
+
+Zone::Cells off_the_edges(Zone::Cells cells, const Zone &zone, const bool mirror_y)
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    if (d == 0 || !mirror_y)
+      cells.low[d] = std::max(cells.low[d], zone.slaved_layers() + 1);
+    cells.high[d] = std::min(cells.high[d], zone.n_cells()[d] - zone.slaved_layers() - 1);
+  }
   return cells;
 }
 } // namespace
 
 std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &plate)
 {
-  const int multiple =
-      scene.zone.has_elements() ? Zone::points_per_edge << coarsening_levels(scene, plate) : 1;
+  const int multiple    = scene.zone.has_elements()
+                              ? scene.zone.coupling.points_per_edge << coarsening_levels(scene, plate)
+                              : 1;
   const double asked[3] = {plate.length, scene.symmetric ? plate.width / 2. : plate.width,
                            plate.thickness};
   const char *axis[3]   = {"length", scene.symmetric ? "half width" : "width", "thickness"};
@@ -88,7 +144,8 @@ std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &pla
               << 1e3 * n[d] * plate.spacing << " mm to be filled with finite elements of "
               << 1e3 * multiple * plate.spacing << " mm; at most " << 100. * most_rounding
               << " % are tolerated. Choose a multiple of " << 1e3 * multiple * plate.spacing
-              << " mm, a smaller 'Grid spacing' or fewer 'Coupling/Coarsening levels'.";
+              << " mm, a smaller 'Grid spacing', fewer 'Coupling/Coarsening levels' or a smaller "
+                 "'Coupling/Element size'.";
       throw InputError(message.str());
     }
   }
@@ -104,32 +161,25 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
     result.reason = "everything";
     return result;
   }
-  const auto &n             = box.n;
-  result.zone               = std::make_unique<Zone>(make_zone(
-                    {n[0] / Zone::points_per_edge, n[1] / Zone::points_per_edge, n[2] / Zone::points_per_edge},
-                    stencil, scene.zone.coupling));
+  const auto &n  = box.n;
+  const int edge = scene.zone.coupling.points_per_edge;
+  result.zone    = std::make_unique<Zone>(
+      make_zone({n[0] / edge, n[1] / edge, n[2] / edge}, stencil, scene.zone.coupling));
   result.options.coupling   = scene.zone.coupling;
   result.options.quadrature = scene.zone.full_quadrature ? Quadrature::full : Quadrature::one_point;
   result.options.hourglass_coefficient = scene.zone.hourglass_coefficient;
   result.options.coarsening_levels     = coarsening_levels(scene, plate);
 
-  const ImpactGeometry impact{scene.projectile.shape.diameter,
-                              scene.projectile.shape.length,
-                              scene.impact.speed,
-                              scene.impact.incidence_angle,
-                              scene.impact.entry_x,
-                              scene.impact.entry_y,
-                              -(box.corner.z() + n[2] * box.spacing),
-                              n[2] * box.spacing,
-                              stencil.horizon};
+  const auto impact =
+      impact_on(scene, -(box.corner.z() + n[2] * box.spacing), n[2] * box.spacing, stencil.horizon);
   // A choice is no sharp limit: the nearest cells will do, while boxes that were asked for are
   // filled.
   const auto as_cells = [&](const ZoneChoice &choice)
   {
-    const double cell  = Zone::points_per_edge * box.spacing;
+    const double cell  = edge * box.spacing;
     const auto nearest = [&](const double x, const int d)
     { return box.corner[d] + cell * std::round((x - box.corner[d]) / cell); };
-    return columns(box, nearest(choice.x_low, 0), nearest(choice.x_high, 0),
+    return columns(box, edge, nearest(choice.x_low, 0), nearest(choice.x_high, 0),
                    nearest(choice.y_low, 1), nearest(choice.y_high, 1));
   };
   std::vector<Zone::Cells> boxes;
@@ -145,31 +195,45 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
     case ZoneKind::boxes:
       result.reason = "boxes";
       for (const auto &b : plate.zone_boxes)
-        boxes.push_back(columns(box, b[0], b[1], b[2], b[3]));
+        boxes.push_back(columns(box, edge, b[0], b[1], b[2], b[3]));
       break;
     default:
       result.reason = "none: elastic finite elements";
   }
   result.zone->grow(boxes);
+  result.options.absorbing_edges = plate.absorbing_edges;
+  if (plate.absorbing_edges)
+    check_edges(*result.zone, box.mirror_y);
 
   // A zone that grows needs fine elements wherever it may get to, and so do contact points: where
   // the projectile and debris may be.
   auto &fine = result.options.fine_region;
-  fine       = as_cells(corridor_zone(impact));
-  if (scene.zone.grows_everywhere)
-    fine = {{0, 0, 0}, result.zone->n_cells()};
-  for (const auto &b : boxes)
-    fine = hull({fine, b});
-  if (scene.zone.adaptive)
-    result.zone->set_limit(fine);
-  else
-    result.zone->set_limit(hull(boxes));
-  result.zone->set_contact_region({fine});
+  fine       = scene.zone.grows_everywhere ? Zone::Cells{{0, 0, 0}, result.zone->n_cells()}
+                                           : hull({as_cells(corridor_zone(impact)), hull(boxes)});
+  auto limit = scene.zone.adaptive ? fine : hull(boxes);
+  if (plate.absorbing_edges && scene.zone.adaptive)
+    limit = off_the_edges(limit, *result.zone, box.mirror_y);
+  result.zone->set_limit(limit);
+
+  // In a stack, wherever any plate has points or may get some, those around its zone included: what
+  // lay in the other plate before it could be touched would be thrown out of it.
+  double depth = 0.;
+  for (const auto &other : scene.plates)
+  {
+    depth += &other == &scene.plates.front() ? 0. : other.gap;
+    const auto corridor = corridor_zone(
+        impact_on(scene, depth, other.thickness, other.horizon_ratio * other.spacing));
+    fine = hull({fine, as_cells(corridor)});
+    for (const auto &b : other.zone_boxes)
+      fine = hull({fine, columns(box, edge, b[0], b[1], b[2], b[3])});
+    depth += other.thickness;
+  }
   for (int d = 0; d < 2; ++d)
   {
     fine.low[d] -= result.zone->slaved_layers();
     fine.high[d] += result.zone->slaved_layers();
   }
+  result.zone->set_contact_region({fine});
   return result;
 }
 } // namespace ricochet

@@ -64,6 +64,7 @@ const std::vector<History::Column> history_columns{{"time", "us"},
                                                    {"work debris friction", "J"},
                                                    {"energy fracture", "J"},
                                                    {"energy viscous", "J"},
+                                                   {"energy absorbed", "J"},
                                                    {"energy residual", "J"},
                                                    {"residual relative", "-"},
                                                    {"broken bonds", "-"}};
@@ -208,6 +209,7 @@ private:
                       energies_.debris_friction,
                       energies_.fracture,
                       energies_.viscous,
+                      energies_.absorbed,
                       energies_.residual(),
                       residual(),
                       broken_bonds_});
@@ -373,6 +375,7 @@ private:
     s["time_us"]                = simulation_.time() / us;
     s["energy_residual"]        = residual();
     s["energy_viscous"]         = share(energies_.viscous);
+    s["energy_absorbed"]        = share(energies_.absorbed);
     s["momentum_drift"]         = drift(momenta.linear, start_momenta_.linear);
     s["angular_momentum_drift"] = drift(momenta.angular, start_momenta_.angular);
     s["deepest_penetration_dx"] = deepest_;

@@ -302,6 +302,7 @@ EnergyBalance Simulation::energies() const
       e.strain += multiplicity_ * sum.strain;
       e.hourglass += multiplicity_ * sum.hourglass;
       e.viscous += multiplicity_ * sum.viscous;
+      e.absorbed += multiplicity_ * sum.absorbed;
       e.conversion += multiplicity_ * zone_watches_[i]->loss();
     }
     else

@@ -58,7 +58,7 @@ public:
   {
     const auto stencil =
         make_stencil(parameters.spacing, parameters.horizon_ratio, parameters.influence);
-    constexpr int n   = Zone::points_per_edge;
+    const int n       = parameters.coupling.points_per_edge;
     const int layers  = make_zone({1, 1, 1}, stencil, parameters.coupling).slaved_layers();
     const int outside = layers + parameters.margin / n, inside = 2 * parameters.half_width / n;
     const int n_cells = inside + 2 * outside;

@@ -8,13 +8,13 @@ namespace ricochet
 namespace
 {
 constexpr int steps_between_looks = 5;
-// Free cells so near to the interface are looked at: two horizons of three points.
-constexpr int rim_width           = 3;
-// A zone grows by bricks of so many cells along x and y: the same few shapes of the interface come
+// Free points so near to the interface are looked at: two horizons of three points.
+constexpr int rim_points          = 6;
+// A zone grows by bricks of so many points along x and y: the same few shapes of the interface come
 // again and again, and conversions are few.
-constexpr int brick               = 4;
+constexpr int brick_points        = 8;
 
-int brick_below(const int cell)
+int brick_below(const int cell, const int brick)
 {
   return (cell >= 0 ? cell : cell - brick + 1) / brick * brick;
 }
@@ -23,7 +23,10 @@ int brick_below(const int cell)
 ZoneWatch::ZoneWatch(const MPI_Comm communicator, FarField &far_field,
                      const Parameters &parameters) :
   communicator_(communicator),
-  far_field_(far_field), parameters_(parameters)
+  far_field_(far_field), parameters_(parameters),
+  rim_width_((rim_points + far_field.zone().points_per_edge() - 1) /
+             far_field.zone().points_per_edge()),
+  brick_(brick_points / far_field.zone().points_per_edge())
 {
   find_rim();
 }
@@ -32,7 +35,7 @@ void ZoneWatch::find_rim()
 {
   const Zone &zone       = far_field_.zone();
   const Lattice &lattice = far_field_.points().lattice();
-  rim_                   = zone.rim(rim_width);
+  rim_                   = zone.rim(rim_width_);
   std::vector<std::uint8_t> blocks(lattice.size() / Lattice::block_size, 0);
   lattice.for_each_owned(
       [&](const std::ptrdiff_t p)
@@ -92,8 +95,8 @@ bool ZoneWatch::update(const double time, const double dt)
     Zone::Cells box = far_field_.zone().limit();
     for (int d = 0; d < 2; ++d)
     {
-      box.low[d]  = brick_below(c[d] - rim_width);
-      box.high[d] = brick_below(c[d] + rim_width) + brick;
+      box.low[d]  = brick_below(c[d] - rim_width_, brick_);
+      box.high[d] = brick_below(c[d] + rim_width_, brick_) + brick_;
     }
     boxes.push_back(box);
   }

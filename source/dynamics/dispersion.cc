@@ -201,7 +201,7 @@ PredictedTimeStep predicted_time_step(const PeridynamicForce &points, const FarF
                            std::numeric_limits<double>::infinity()};
   if (far != nullptr)
   {
-    const ElementDispersion elements(Zone::points_per_edge * stencil.spacing,
+    const ElementDispersion elements(far->coupling.points_per_edge * stencil.spacing,
                                      {m.density, m.bulk_modulus, m.shear_modulus}, far->quadrature,
                                      far->hourglass_coefficient);
     result.elements = 2. / std::sqrt(elements.largest_squared_frequency_of_block());

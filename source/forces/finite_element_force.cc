@@ -113,14 +113,20 @@ void FiniteElementForce::lump_mass()
     for (int d = 0; d < 3; ++d)
       inverse_mass_.push_back(mass_[node] > 0. ? 1. / mass_[node] : 0.);
     if (mesh_.on_mirror_plane(node))
-      fix(node, 1);
+      inverse_mass_[3 * node + 1] = 0.;
   }
+  for (const int entry : fixed_)
+    inverse_mass_[entry] = 0.;
 }
 
-void FiniteElementForce::set_consistent_mass(const std::vector<int> &elements)
+void FiniteElementForce::set_consistent_mass(const std::vector<int> &elements,
+                                             const int points_per_edge)
 {
-  spread_       = elements;
-  spreads_mass_ = true;
+  spread_        = elements;
+  // n masses in the middles of the parts of an edge couple its ends by (s, 1/2 - s).
+  const double n = points_per_edge;
+  spread_share_  = (4. * n * n - 1.) / (12. * n * n);
+  spreads_mass_  = true;
   // An owned node may be a corner of other ranks' elements only.
   std::vector<double> touched(force_.size(), 0.);
   for (const int e : spread_)
@@ -142,12 +148,11 @@ void FiniteElementForce::velocity_changed()
     find_spread_momentum();
 }
 
-/// Adds (M_L - M_C) a of the elements of consistent mass. Along each axis the masses of two points
-/// in the middles of the halves of an edge couple its ends by (5 3; 3 5)/16.
+/// Adds (M_L - M_C) a of the elements of consistent mass, the product of those of edges.
 void FiniteElementForce::add_mass_difference(const std::vector<double> &acceleration,
                                              std::vector<double> &force) const
 {
-  constexpr double near = 5. / 16., far = 3. / 16.;
+  const double near = spread_share_, far = 0.5 - spread_share_;
   for (const int e : spread_)
   {
     const auto &element = mesh_.elements()[e];
@@ -234,10 +239,12 @@ void FiniteElementForce::find_spread_momentum()
     for (std::size_t i = 0; i < n; ++i)
       direction[i] = scaled[i] + beta * direction[i];
   }
+  // Rows of both matrices have the same sums: with what is left of the residual the total is the
+  // sum of M_L v to the last bit, however well y has converged.
   spread_momentum_.clear();
   for (const int node : spread_nodes_)
     for (int d = 0; d < 3; ++d)
-      spread_momentum_.push_back(mass_[node] * y[3 * node + d]);
+      spread_momentum_.push_back(mass_[node] * y[3 * node + d] + residual[3 * node + d]);
 }
 
 void FiniteElementForce::set_stiffness(const std::vector<ElementStiffness> &stiffness)
@@ -434,8 +441,10 @@ void FiniteElementForce::set_back_strain(const int element, const int branch,
 
 void FiniteElementForce::fix(const int node, const int component)
 {
-  if (node < mesh_.n_owned_nodes())
-    inverse_mass_[3 * node + component] = 0.;
+  if (node >= mesh_.n_owned_nodes())
+    return;
+  fixed_.push_back(3 * node + component);
+  inverse_mass_[3 * node + component] = 0.;
 }
 
 void FiniteElementForce::update_ghosts()
@@ -491,13 +500,20 @@ void FiniteElementForce::advance(const double kick, const double drift)
 {
   for (std::size_t i = 0; i < spread_momentum_.size(); ++i)
     spread_momentum_[i] += kick * spread_force_[i];
+  for (const auto &dashpot : dashpots_)
+  {
+    auto &f        = force_[dashpot.entry];
+    f              = damped_force(dashpot, kick);
+    const double v = velocity_[dashpot.entry] + 0.5 * kick * f * inverse_mass_[dashpot.entry];
+    absorbed_ += kick * dashpot.coefficient * v * v;
+  }
   kernel_->advance(position_.data(), velocity_.data(), force_.data(), inverse_mass_.data(),
                    static_cast<int64_t>(inverse_mass_.size()), kick, drift);
 }
 
 FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
 {
-  std::array<double, 4> sums{};
+  std::array<double, 5> sums{};
   const auto kinetic = [&](const int i, const double momentum)
   { return 0.5 * momentum * (velocity_[i] + dt * force_[i] * inverse_mass_[i]); };
   for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
@@ -519,8 +535,18 @@ FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
     for (const double energy : group.dissipated)
       sums[3] += energy;
   sums[3] += dissipated_elsewhere_;
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, communicator_);
-  return {sums[0], sums[1], sums[2], sums[3]};
+  sums[4] = absorbed_;
+  for (const auto &dashpot : dashpots_)
+  {
+    const int i         = dashpot.entry;
+    const double before = velocity_[i], f = damped_force(dashpot, dt),
+                 change = dt * inverse_mass_[i] * f;
+    sums[0] += 0.5 * mass_[i / 3] * before * dt * inverse_mass_[i] * (f - force_[i]);
+    // Up to the middle of the step.
+    sums[4] += 0.5 * dt * dashpot.coefficient * before * (before + 0.5 * change);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 5, MPI_DOUBLE, MPI_SUM, communicator_);
+  return {sums[0], sums[1], sums[2], sums[3], sums[4]};
 }
 
 double FiniteElementForce::squared_force() const
@@ -538,24 +564,27 @@ double FiniteElementForce::squared_force() const
 
 FiniteElementForce::Momenta FiniteElementForce::momenta() const
 {
-  std::array<Vector3, 2> sums{Vector3::Zero(), Vector3::Zero()};
+  // Sums of many numbers, compared to the last bit by those who look for a drift.
+  using LongVector = Eigen::Matrix<long double, 3, 1>;
+  std::array<LongVector, 2> sums{LongVector::Zero(), LongVector::Zero()};
+  const auto add = [&](const int node, const Vector3 &linear)
+  {
+    sums[0] += linear.cast<long double>();
+    sums[1] += at(position_, node).cross(linear).cast<long double>();
+  };
+  std::size_t k = 0;
   for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
+    if (k < spread_nodes_.size() && spread_nodes_[k] == node)
+      add(node, at(spread_momentum_, static_cast<int>(k++)));
+    else
+      add(node, mass_[node] * at(velocity_, node));
+  std::array<Vector3, 2> result;
+  for (int i = 0; i < 2; ++i)
   {
-    const Vector3 linear = mass_[node] * at(velocity_, node);
-    sums[0] += linear;
-    sums[1] += at(position_, node).cross(linear);
+    result[i] = sums[i].cast<double>();
+    MPI_Allreduce(MPI_IN_PLACE, result[i].data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
   }
-  for (std::size_t k = 0; k < spread_nodes_.size(); ++k)
-  {
-    const int node = spread_nodes_[k];
-    const Vector3 difference =
-        at(spread_momentum_, static_cast<int>(k)) - mass_[node] * at(velocity_, node);
-    sums[0] += difference;
-    sums[1] += at(position_, node).cross(difference);
-  }
-  for (auto &sum : sums)
-    MPI_Allreduce(MPI_IN_PLACE, sum.data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
-  return {sums[0], sums[1]};
+  return {result[0], result[1]};
 }
 
 double FiniteElementForce::total_mass() const

@@ -401,6 +401,7 @@ def draw_path(axes, history):
 ENERGIES = [
     ("energy fracture", "fracture", VERMILION),
     ("energy viscous", "viscosity", "#8C564B"),
+    ("energy absorbed", "left through the edges", "#17BECF"),
     ("work friction", "friction", ORANGE),
     ("work debris friction", "debris friction", "#B8860B"),
     ("energy debris", "debris contact", "#F0E442"),
@@ -414,7 +415,7 @@ ENERGIES = [
 def draw_energies(axes, history):
     """Where the projectile's energy has gone, as layers."""
     present = [(history[name], label, color) for name, label, color in ENERGIES
-               if name in history and (name not in ("energy viscous", "work debris friction")
+               if name in history and (name not in ("energy viscous", "energy absorbed", "work debris friction")
                                        or np.any(history[name]))]
     if not present:
         return

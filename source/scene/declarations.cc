@@ -193,7 +193,10 @@ SectionDeclaration plate(const unsigned int number)
                     "peridynamic"),
            optional("Zone box 2",
                     quantity(Dimension::length, Limit::any, {"x from", "x to", "y from", "y to"}),
-                    "30 mm, 170 mm, -24 mm, 24 mm", "Another such column")},
+                    "30 mm, 170 mm, -24 mm, 24 mm", "Another such column"),
+           with_default("Non-reflecting edges", flag(), "false",
+                        "Whether waves leave through the plate's side faces instead of coming "
+                        "back, as in a larger plate; finite elements must carry these faces")},
           {}};
 }
 
@@ -259,9 +262,13 @@ SectionDeclaration coupling()
        with_default("Mass correction", flag(), "true",
                     "Whether the elements next to the zone get their consistent mass, to first "
                     "order: waves pass the interface better"),
+       with_default(
+           "Element size", choice({"1", "2", "4"}), "2",
+           "Edge of the elements next to the zone, in grid spacings; 1 halves the time step, 4 "
+           "keeps out waves of four horizons and less"),
        with_default("Coarsening levels", choice({"automatic", "0", "1", "2"}), "automatic",
                     "How often the elements double their size away from the zone; automatic: as "
-                    "often as the number of points allows, at most twice"),
+                    "often as the number of points allows, up to 8 grid spacings"),
        with_default("Quadrature", choice({"one point", "full"}), "one point",
                     "Integration of the far elements: one point with hourglass control, or 2 x 2 x "
                     "2 points"),
@@ -286,10 +293,12 @@ SectionDeclaration stability()
        with_default("Mass correction", flag(), "true",
                     "Whether the elements next to the zone get their consistent mass, to first "
                     "order"),
-       with_default("Calibration tolerance", quantity(Dimension::number, Limit::positive), "0.001",
+       with_default("Element size", choice({"1", "2", "4"}), "2",
+                    "Edge of the elements next to the zone, in grid spacings"),
+       with_default("Calibration tolerance", quantity(Dimension::number, Limit::positive), "0.0002",
                     "Largest nodal force left under a unit strain, in units of M h^2"),
        with_default("Calibration iterations", quantity(Dimension::number, Limit::not_negative),
-                    "60", "Steps of conjugate gradients, at most"),
+                    "300", "Steps of conjugate gradients, at most"),
        with_default("Clipping", flag(), "true",
                     "Whether negative eigenvalues of calibrated tensors are raised to zero"),
        with_default("Quadrature", choice({"one point", "full"}), "one point",
@@ -298,7 +307,7 @@ SectionDeclaration stability()
        with_default("Hourglass coefficient", quantity(Dimension::number, Limit::not_negative), "1",
                     "Stiffness of the hourglass modes; 0 switches the control off"),
        with_default("Grid spacing", quantity(Dimension::length, Limit::positive), "1 mm",
-                    "Distance between neighbouring points; elements are twice as long"),
+                    "Distance between neighbouring points"),
        with_default("Horizon ratio", quantity(Dimension::number, Limit::positive), "3",
                     "Horizon in grid spacings, at least 2"),
        with_default("Influence function", choice(influence_function_names()), "cone",

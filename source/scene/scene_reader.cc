@@ -254,6 +254,11 @@ PlateParameters read_plate(const Parameters &parameters, const std::string &in,
                             ", from below to.");
       plate.zone_boxes.push_back({box[0], box[1], box[2], box[3]});
     }
+  plate.absorbing_edges = parameters.flag(in, "Non-reflecting edges");
+  if (plate.absorbing_edges && parameters.text("Coupling", "Zone") == "everything")
+    parameters.fail(in, "Non-reflecting edges", "Only finite elements can let waves out.",
+                    "Choose 'set Zone = automatic' or 'boxes' in the section 'Coupling', or leave "
+                    "this entry out.");
   if (parameters.text("Coupling", "Zone") == "boxes" && plate.zone_boxes.empty())
     parameters.fail("Coupling", "Zone", "The section '" + in + "' has no 'Zone box'.",
                     "Give one for every plate, as 'set Zone box = 30 mm, 170 mm, -24 mm, 24 mm'.");
@@ -435,12 +440,13 @@ ZoneParameters read_zone(const Parameters &parameters)
       zone.coupling.method = method.method;
   zone.coupling.blend = parameters.text(in, "Blend function") == "linear" ? BlendFunction::linear
                                                                           : BlendFunction::cubic;
-  zone.coupling.blend_width  = parameters.quantity(in, "Blend width");
-  zone.coupling.correct_mass = parameters.flag(in, "Mass correction");
-  const std::string levels   = parameters.text(in, "Coarsening levels");
-  zone.coarsening_levels     = levels == "automatic" ? -1 : std::stoi(levels);
-  zone.full_quadrature       = parameters.text(in, "Quadrature") == "full";
-  zone.hourglass_coefficient = parameters.quantity(in, "Hourglass coefficient");
+  zone.coupling.blend_width     = parameters.quantity(in, "Blend width");
+  zone.coupling.correct_mass    = parameters.flag(in, "Mass correction");
+  zone.coupling.points_per_edge = std::stoi(parameters.text(in, "Element size"));
+  const std::string levels      = parameters.text(in, "Coarsening levels");
+  zone.coarsening_levels        = levels == "automatic" ? -1 : std::stoi(levels);
+  zone.full_quadrature          = parameters.text(in, "Quadrature") == "full";
+  zone.hourglass_coefficient    = parameters.quantity(in, "Hourglass coefficient");
 
   if (zone.adaptive && (zone.kind == ZoneKind::everything || zone.kind == ZoneKind::none))
     parameters.fail(in, "Adaptive",

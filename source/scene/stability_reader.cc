@@ -14,16 +14,19 @@ namespace
 {
 constexpr const char *section = "Stability";
 
-/// Lengths in spacings that cells of two points must fill.
-int even_number(const Parameters &parameters, const std::string &name, const int smallest,
-                const int largest)
+/// Lengths in spacings that cells of `edge` points must fill.
+int filled_length(const Parameters &parameters, const std::string &name, const int edge,
+                  const int largest)
 {
   const double value = parameters.quantity(section, name);
   const int number   = static_cast<int>(std::lround(value));
-  if (number != value || number % 2 != 0 || number < smallest || number > largest)
-    parameters.fail(section, name, "Elements are two spacings long.",
-                    "Choose an even number of spacings from " + std::to_string(smallest) + " to " +
-                        std::to_string(largest) + ".");
+  const int smallest = std::max(2, edge);
+  if (number != value || number % edge != 0 || number < smallest || number > largest)
+    parameters.fail(section, name,
+                    "Elements of " + std::to_string(edge) +
+                        " spacings must fill it ('Element size').",
+                    "Choose a multiple of " + std::to_string(edge) + " from " +
+                        std::to_string(smallest) + " to " + std::to_string(largest) + ".");
   return number;
 }
 } // namespace
@@ -65,11 +68,12 @@ StabilityParameters read_stability(const ParameterFile &file)
   for (const auto &function : influence_functions)
     if (function.name == parameters.text(section, "Influence function"))
       result.influence = function.function;
-  result.density        = number("Density");
-  result.youngs_modulus = number("Young's modulus");
-  result.poisson_ratio  = number("Poisson's ratio");
-  result.half_width     = even_number(parameters, "Zone half-width", 2, 40);
-  result.margin         = even_number(parameters, "Margin", 2, 40);
+  result.density           = number("Density");
+  result.youngs_modulus    = number("Young's modulus");
+  result.poisson_ratio     = number("Poisson's ratio");
+  coupling.points_per_edge = std::stoi(parameters.text(section, "Element size"));
+  result.half_width = filled_length(parameters, "Zone half-width", coupling.points_per_edge, 40);
+  result.margin     = filled_length(parameters, "Margin", coupling.points_per_edge, 40);
 
   result.limit =
       parameters.text(section, "Limit") == "predicted" ? StepLimit::predicted : StepLimit::measured;

@@ -63,7 +63,7 @@ struct CoupledPlate
                                        sample.relaxation};
     Lattice::Box box{Vector3::Zero(), sample.spacing, {}, sample.mirror_y};
     for (int d = 0; d < 3; ++d)
-      box.n[d] = 2 * sample.n_cells[d];
+      box.n[d] = zone->points_per_edge() * sample.n_cells[d];
     points = std::make_unique<PeridynamicForce>(sample.communicator, 0, box, stencil, material,
                                                 Lattice::Mask{}, nullptr, zone.get());
     auto options     = sample.far;
@@ -72,7 +72,7 @@ struct CoupledPlate
   }
 
   static constexpr double density = 1000., modulus = 1e9, p_wave_speed = 1000.; // [SI]
-  double edge() const { return Zone::points_per_edge * spacing; }               // of a cell [m]
+  double edge() const { return zone->points_per_edge() * spacing; }             // of a cell [m]
 
   template <class Visitor>
   void for_each_free(Visitor &&visit)
@@ -144,13 +144,13 @@ struct CoupledPlate
     for (std::size_t e = 0; e < elements.mesh().elements().size(); ++e)
     {
       const auto cell =
-          cell_at(points->lattice().box(), elements.mesh().centre(elements.mesh().elements()[e]));
+          cell_at(points->lattice(), elements.mesh().centre(elements.mesh().elements()[e]));
       const int layer = zone->layer(cell);
       if (layer > 0 && layer <= zone->pad_layers())
         pad.push_back(static_cast<int>(e));
     }
     if (corrects_mass)
-      elements.set_consistent_mass(pad);
+      elements.set_consistent_mass(pad, zone->points_per_edge());
     far->lead();
   }
 

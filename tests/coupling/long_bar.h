@@ -21,10 +21,11 @@ public:
   /// Of so many planes. The interface is at x = 0.
   LongBar(const CoupledSample &sample, const int n_points, const int n_nodes)
   {
-    constexpr int n_cells = 48;
-    auto short_bar        = bar(n_cells, 0, n_cells / 2);
-    short_bar.coupling    = sample.coupling;
-    short_bar.pad_layers  = sample.pad_layers;
+    const int n          = sample.coupling.points_per_edge;
+    const int n_cells    = 96 / n;
+    auto short_bar       = bar(n_cells, 0, n_cells / 2, n);
+    short_bar.coupling   = sample.coupling;
+    short_bar.pad_layers = sample.pad_layers;
     CoupledPlate plate(short_bar);
     const auto s          = plane_system(plate);
     spacing_              = {plate.spacing, plate.edge()};
@@ -34,12 +35,12 @@ public:
       for (int r = 0; r <= 6; ++r)
         row_[side].push_back(s.acceleration(middle[side], middle[side] + r));
 
-    const int n = n_points + n_nodes;
-    x.resize(n);
-    mass.resize(n);
+    const int n_planes = n_points + n_nodes;
+    x.resize(n_planes);
+    mass.resize(n_planes);
     std::vector<Eigen::Triplet<double>> entries;
     const double negligible = 1e-8 * s.acceleration.cwiseAbs().maxCoeff();
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n_planes; ++i)
     {
       const int offset = i - n_points;
       const Side side  = offset < 0 ? points : nodes;
@@ -47,23 +48,23 @@ public:
       mass[i] = offset == 0 ? s.mass[first_node] : CoupledPlate::density * spacing_[side];
       const auto add = [&](const int j, const double value)
       {
-        if (j >= 0 && j < n && std::abs(value) > negligible)
+        if (j >= 0 && j < n_planes && std::abs(value) > negligible)
           entries.emplace_back(i, j, value);
       };
-      if (offset >= -14 && offset < 8)
+      if (offset >= -14 && offset < (n == 1 ? 16 : 8))
         for (Eigen::Index j = 0; j < s.size(); ++j)
           add(static_cast<int>(j - first_node) + n_points, s.acceleration(first_node + offset, j));
       else
         for (int r = -6; r <= 6; ++r)
           add(i + r, row_[side][std::abs(r)]);
     }
-    matrix_.resize(n, n);
+    matrix_.resize(n_planes, n_planes);
     matrix_.setFromTriplets(entries.begin(), entries.end());
-    Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(n, 0., 1e4).array().sin();
+    Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(n_planes, 0., 1e4).array().sin();
     for (int i = 0; i < 300; ++i)
       q = (matrix_ * q).normalized();
     dt_ = 0.9 * 2. / std::sqrt((matrix_ * q).norm());
-    u   = Eigen::VectorXd::Zero(n);
+    u   = Eigen::VectorXd::Zero(n_planes);
     v   = u;
   }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The one-dimensional system that a bar along x becomes when all points and nodes of a plane move
 // alike along x: its matrix, measured with the very force routines. What the middle of a section
-// eight cells wide feels is then what an infinitely wide plate with a plane interface would feel.
+// sixteen points wide feels is then what an infinitely wide plate with a plane interface would
+// feel.
 #pragma once
 
 #include "coupled_plate.h"
@@ -22,23 +23,26 @@ struct PlaneSystem
   Eigen::MatrixXd stiffness() const { return -(mass.asDiagonal() * acceleration); } // [Pa/m]
 };
 
-/// Cells across the bars.
-constexpr int section_cells = 8;
+/// Points across the bars.
+constexpr int section_points = 16;
 
 /// A bar of so many cells with the zone from cell `low` to `high` along x.
-inline CoupledSample bar(const int n_cells, const int low, const int high)
+inline CoupledSample bar(const int n_cells, const int low, const int high,
+                         const int points_per_edge = 2)
 {
   CoupledSample sample;
-  sample.communicator = MPI_COMM_SELF;
-  sample.n_cells      = {n_cells, section_cells, section_cells};
-  sample.zone         = {{low, 0, 0}, {high, section_cells, section_cells}};
+  sample.coupling.points_per_edge = points_per_edge;
+  const int section_cells         = section_points / points_per_edge;
+  sample.communicator             = MPI_COMM_SELF;
+  sample.n_cells                  = {n_cells, section_cells, section_cells};
+  sample.zone                     = {{low, 0, 0}, {high, section_cells, section_cells}};
   return sample;
 }
 
 inline PlaneSystem plane_system(CoupledPlate &plate)
 {
   const double dx     = plate.spacing;
-  const double middle = section_cells * dx; // of the section
+  const double middle = 0.5 * section_points * dx; // of the section
   auto &a             = plate.points->state().arrays;
   auto &elements      = plate.far->elements();
   struct Plane

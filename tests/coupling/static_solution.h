@@ -101,7 +101,7 @@ public:
   }
 
   /// Symmetric displacement gradients in the middle of every cell of a plate without coarsening: by
-  /// the nodes of an element, by the eight points of a cell of the zone. Calls visit(cell, strain).
+  /// the nodes of an element, by eight neighbouring free points. Calls visit(cell, strain).
   template <class Visitor>
   void for_each_strain(Visitor &&visit) const
   {
@@ -111,26 +111,30 @@ public:
     const auto &mesh    = plate_.far->elements().mesh();
     for (std::size_t e = 0; e < mesh.elements().size(); ++e)
       if (plate_.far->elements().is_active(static_cast<int>(e)))
-        visit(cell_at(lattice.box(), mesh.centre(mesh.elements()[e])),
+        visit(cell_at(lattice, mesh.centre(mesh.elements()[e])),
               symmetric(plate_.far->elements().deformation_gradient(static_cast<int>(e))));
-    zone.for_each_cell(
-        [&](const Zone::Cell &cell)
+    const int step = std::min(2, zone.points_per_edge());
+    const auto &n  = lattice.box().n;
+    for (int x = 0; x + 1 < n[0]; x += step)
+      for (int y = 0; y + 1 < n[1]; y += step)
+        for (int z = 0; z + 1 < n[2]; z += step)
         {
-          if (!zone.is_free(cell))
-            return;
+          // A cube of eight points, a cell if these have two along each edge.
+          bool free         = true;
           Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
           for (int corner = 0; corner < 8; ++corner)
           {
             const auto p =
-                lattice.index(2 * cell[0] + (corner & 1), 2 * cell[1] + ((corner >> 1) & 1),
-                              2 * cell[2] + (corner >> 2));
+                lattice.index(x + (corner & 1), y + ((corner >> 1) & 1), z + (corner >> 2));
+            free = free && lattice.free(p);
             for (int d = 0; d < 3; ++d)
               for (int c = 0; c < 3; ++c)
                 F(c, d) +=
                     ((corner >> d) & 1 ? 1. : -1.) / (4. * plate_.spacing) * a.position[c][p];
           }
-          visit(cell, symmetric(F));
-        });
+          if (free)
+            visit(zone.cell_of(x, y, z), symmetric(F));
+        }
   }
 
 private:

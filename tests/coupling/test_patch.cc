@@ -91,22 +91,23 @@ TEST(V1Patch, GhostForcesOfABlockWithCorners)
   CoupledPlate plate(block());
   const auto &report = plate.far->calibration();
   EXPECT_GT(report.ghost_before, 0.05) << "nothing to calibrate"; // the scaled C alone
-  EXPECT_LE(report.n_iterations, 60);
-  const auto measured = ghosts(plate);
-  for (const double ghost : measured)
-    EXPECT_LE(ghost, 2e-3);
+  EXPECT_LT(report.n_iterations, 100);
+  const auto measured    = ghosts(plate);
+  // In units of sigma h^2: M eps h^2, and for shear mu gamma h^2.
+  const double mu_over_M = plate.points->material().shear_modulus / CoupledPlate::modulus;
+  for (int k = 0; k < 6; ++k)
+    EXPECT_LE(measured[k], 2e-3 * (k < 3 ? 1. : mu_over_M));
   // What calibration believes is what the bonds and elements do.
   EXPECT_NEAR(*std::max_element(measured.begin(), measured.end()), report.ghost_after, 1e-6);
 }
 
 TEST(V1Patch, GhostForcesFallAsFarAsCalibrationIsAskedTo)
 {
-  CoupledSample sample                     = block();
-  sample.coupling.calibration.tolerance    = 1e-4;
-  sample.coupling.calibration.n_iterations = 400;
+  CoupledSample sample                  = block();
+  sample.coupling.calibration.tolerance = 1e-5;
   CoupledPlate plate(sample);
   for (const double ghost : ghosts(plate))
-    EXPECT_LE(ghost, 1.1e-4);
+    EXPECT_LE(ghost, 1.1e-5);
 }
 
 TEST(V1Patch, StrainErrorOfABlockWithCorners)
@@ -116,12 +117,27 @@ TEST(V1Patch, StrainErrorOfABlockWithCorners)
     EXPECT_LE(worst_strain_error(plate, k), 2e-3) << "strain " << k;
 }
 
+TEST(V1Patch, ElementsOfOneAndOfFourSpacings)
+{
+  for (const int n : {1, 4})
+  {
+    CoupledSample sample            = block();
+    sample.coupling.points_per_edge = n;
+    const int outside = n == 1 ? 7 : 4, inside = 8 / n, all = inside + 2 * outside;
+    sample.n_cells = {all, all, all};
+    sample.zone    = {{outside, outside, outside},
+                      {outside + inside, outside + inside, outside + inside}};
+    CoupledPlate plate(sample);
+    for (const double ghost : ghosts(plate))
+      EXPECT_LE(ghost, 2e-3) << n << " spacings";
+    for (int k = 0; k < 6; ++k)
+      EXPECT_LE(worst_strain_error(plate, k), 2e-3) << n << " spacings, strain " << k;
+  }
+}
+
 TEST(V1Patch, ZoneWithReentrantEdges)
 {
-  CoupledSample sample                     = bent_block();
-  sample.coupling.calibration.tolerance    = 5e-4;
-  sample.coupling.calibration.n_iterations = 150;
-  CoupledPlate plate(sample);
+  CoupledPlate plate(bent_block());
   add_second_arm(plate);
   for (const double ghost : ghosts(plate))
     EXPECT_LE(ghost, 2e-3);
@@ -129,20 +145,16 @@ TEST(V1Patch, ZoneWithReentrantEdges)
     EXPECT_LE(worst_strain_error(plate, k), 2e-3) << "strain " << k;
 }
 
-TEST(V1Patch, ReentrantEdgeIsHalfAPerCentOffInShearAtTheDefaultTolerance)
+TEST(V1Patch, LargerZone)
 {
-  // The same at the default tolerance of 1e-3 M h^2: mu is M/4.3, so the same force is a larger
-  // part of a shear stress. The ghost forces are as small as asked for.
-  CoupledPlate plate(bent_block());
-  add_second_arm(plate);
+  CoupledSample sample = block();
+  sample.n_cells       = {20, 20, 20};
+  sample.zone          = {{4, 4, 4}, {16, 16, 16}};
+  CoupledPlate plate(sample);
   for (const double ghost : ghosts(plate))
     EXPECT_LE(ghost, 2e-3);
-  for (int k = 0; k < 3; ++k)
+  for (const int k : {0, 5})
     EXPECT_LE(worst_strain_error(plate, k), 2e-3) << "strain " << k;
-  double shear = 0.;
-  for (int k = 3; k < 6; ++k)
-    shear = std::max(shear, worst_strain_error(plate, k));
-  EXPECT_NEAR(shear, 5.4e-3, 0.5e-3);
 }
 
 TEST(V1Patch, OtherPoissonRatiosAndHorizons)

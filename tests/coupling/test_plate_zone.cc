@@ -62,6 +62,30 @@ TEST(PlateZone, LatticeWithElementsIsAMultipleOfTheLargest)
   EXPECT_EQ(lattice_points(scene, scene.plates[0])[2], 18);
 }
 
+TEST(PlateZone, ElementsOfOtherSizesDoubleUntilTheyHoldEightPoints)
+{
+  Scene scene               = big_plate();
+  scene.zone.kind           = ZoneKind::automatic;
+  scene.plates[0].thickness = 24e-3; // 16 points
+  for (const int n : {1, 2, 4})
+  {
+    scene.zone.coupling.points_per_edge = n;
+    EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{136, 64, 16})) << n;
+    EXPECT_EQ(zone_of(scene).zone->n_cells(), (Points{136 / n, 64 / n, 16 / n})) << n;
+  }
+  scene.plates[0].thickness = 27e-3; // 18 points
+  try
+  {
+    lattice_points(scene, scene.plates[0]);
+    FAIL() << "a plate of 30 mm instead of 27";
+  }
+  catch (const InputError &error)
+  {
+    for (const char *part : {"27 mm", "30 mm", "6 mm", "Element size"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
 TEST(PlateZone, RoundingThatMakesAnotherPlateIsRefused)
 {
   Scene scene                  = big_plate();

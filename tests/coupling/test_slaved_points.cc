@@ -8,12 +8,13 @@ namespace ricochet::tests
 {
 namespace
 {
-CoupledSample column(const bool mirror_y = false)
+CoupledSample column(const bool mirror_y = false, const int points_per_edge = 2)
 {
   CoupledSample sample;
-  sample.n_cells  = {12, 10, 6};
-  sample.zone     = {{4, mirror_y ? 0 : 3, 0}, {8, 7, 6}};
-  sample.mirror_y = mirror_y;
+  sample.coupling.points_per_edge = points_per_edge;
+  sample.n_cells                  = {12, 10, 6};
+  sample.zone                     = {{4, mirror_y ? 0 : 3, 0}, {8, 7, 6}};
+  sample.mirror_y                 = mirror_y;
   return sample;
 }
 
@@ -43,9 +44,9 @@ double noise(const Vector3 &X, const int d)
 
 TEST(SlavedPoints, FollowLinearFieldsExactly)
 {
-  for (const bool mirror_y : {false, true})
+  for (const auto &[mirror_y, n_per_edge] : {std::pair(false, 2), {true, 2}, {true, 1}, {true, 4}})
   {
-    CoupledPlate plate(column(mirror_y));
+    CoupledPlate plate(column(mirror_y, n_per_edge));
     Eigen::Matrix3d F;
     F << 1.1, 0.2, -0.1, 0.05, 0.9, 0.3, -0.2, 0.1, 1.2;
     const Vector3 c(1e-3, -2e-3, 3e-3);
@@ -73,14 +74,14 @@ TEST(SlavedPoints, FollowLinearFieldsExactly)
                       }
                       n += 1.;
                     });
-    EXPECT_EQ(sum_over_ranks(n), 8. * plate.zone->n_slaved_cells());
+    EXPECT_EQ(sum_over_ranks(n), std::pow(n_per_edge, 3) * plate.zone->n_slaved_cells());
   }
 }
 
-TEST(SlavedPoints, HandOnTheirForcesByTheTranspose)
+void expect_transpose(const int points_per_edge)
 {
   // f . (P u) = (P^T f) . u for any forces on the points and any motion of the nodes.
-  CoupledPlate plate(column());
+  CoupledPlate plate(column(false, points_per_edge));
   auto &elements      = plate.far->elements();
   const auto &lattice = plate.points->lattice();
   SlavedPoints slaved(MPI_COMM_WORLD, elements, lattice,
@@ -118,6 +119,12 @@ TEST(SlavedPoints, HandOnTheirForcesByTheTranspose)
   EXPECT_NEAR(sum_over_ranks(on_points), sum_over_ranks(on_nodes), 1e-13 * magnitude);
   for (int d = 0; d < 3; ++d)
     EXPECT_NEAR(sum_over_ranks(sum[d]), sum_over_ranks(handed[d]), 1e-13 * magnitude);
+}
+
+TEST(SlavedPoints, HandOnTheirForcesByTheTranspose)
+{
+  for (const int points_per_edge : {1, 2, 4})
+    expect_transpose(points_per_edge);
 }
 
 TEST(SlavedPoints, LeaveFreePointsAlone)

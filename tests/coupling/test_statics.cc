@@ -37,7 +37,7 @@ TEST(V5Bar, PointsElementsPointsStretchAsTheContinuum)
   // Points, elements, points; laterally held, so that the modulus is M. A traction of 1 MPa at the
   // last plane; the outermost planes, soft by their missing bonds, are left out.
   auto sample         = lumped(bar(48, 0, 16));
-  sample.more_of_zone = {{{32, 0, 0}, {48, section_cells, section_cells}}};
+  sample.more_of_zone = {{{32, 0, 0}, {48, section_points / 2, section_points / 2}}};
   CoupledPlate plate(sample);
   const auto planes    = plane_system(plate);
   const auto n         = planes.size();

@@ -37,6 +37,10 @@ TEST(Zone, PadAndHaloAreAsWideAsTheStencilReaches)
     EXPECT_EQ(zone.slaved_layers(), 2 * ((reach + 1) / 2));
     EXPECT_EQ(zone.far(), zone.slaved_layers() + 1);
   }
+  // A cell of one point needs as many as the stencil reaches, one of four is enough.
+  EXPECT_EQ(Zone({4, 4, 4}, 2, BlendFunction::step, 0, 1).pad_layers(), 2);
+  EXPECT_EQ(Zone({4, 4, 4}, 2, BlendFunction::step, 0, 1).slaved_layers(), 4);
+  EXPECT_EQ(Zone({4, 4, 4}, 2, BlendFunction::step, 0, 4).slaved_layers(), 2);
   const Zone wide({4, 4, 4}, 2, BlendFunction::cubic, 3);
   EXPECT_EQ(wide.pad_layers(), 3);
   EXPECT_EQ(wide.slaved_layers(), 4);
@@ -220,6 +224,26 @@ TEST(Zone, RimAreFreeCellsNearOthers)
   zone.grow({{{0, 0, 0}, {20, 9, 3}}}); // everything: no interface, no rim
   for (const char near : zone.rim(3))
     EXPECT_EQ(near, 0);
+}
+
+TEST(Zone, CellsHoldAsManyPointsAsChosen)
+{
+  for (const int n : {1, 2, 4})
+  {
+    Zone zone({6, 6, 6}, 2, BlendFunction::linear, 4 / n, n);
+    zone.grow({{{0, 0, 0}, {1, 6, 6}}});
+    EXPECT_EQ(zone.points_per_edge(), n);
+    for (int x = 0; x < 6 * n; ++x)
+    {
+      EXPECT_EQ(zone.cell_of(x, 0, n - 1), (Zone::Cell{x / n, 0, 0}));
+      EXPECT_EQ(zone.kind(x, 1, 1) == PointKind::free, x < n);
+      // Four points of blend, whatever the size of the cells.
+      const int beyond = x - n + 1;
+      EXPECT_DOUBLE_EQ(zone.weight(x, 1, 1), beyond < 1   ? 1.
+                                             : beyond > 4 ? 0.
+                                                          : 1. - (beyond - 0.5) / 4.);
+    }
+  }
 }
 } // namespace
 } // namespace ricochet::tests

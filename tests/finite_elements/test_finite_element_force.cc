@@ -373,6 +373,11 @@ TEST(FiniteElementForce, FixedComponentsKeepTheirVelocity)
   EXPECT_NEAR(v.y(), dt * f.y() / body->mass(0), 1e-14 * std::abs(v.y()));
   EXPECT_EQ(v.z(), 0.);
   EXPECT_LT((at(body->position(), 0) - before - dt * v).norm(), 1e-18);
+  // Masses are lumped anew; what is held stays so.
+  body->set_active([](const Vector3 &) { return true; });
+  EXPECT_EQ(body->inverse_mass(0, 0), 0.);
+  EXPECT_GT(body->inverse_mass(0, 1), 0.);
+  EXPECT_EQ(body->inverse_mass(0, 2), 0.);
 }
 
 TEST(FiniteElementForce, UnknownInstructionSetIsRefused)

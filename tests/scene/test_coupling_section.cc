@@ -33,6 +33,7 @@ TEST(CouplingSection, DefaultsArePeridynamicsThroughout)
   EXPECT_EQ(zone.coupling.blend, BlendFunction::cubic);
   EXPECT_EQ(zone.coupling.blend_width, 2.);
   EXPECT_TRUE(zone.coupling.correct_mass);
+  EXPECT_EQ(zone.coupling.points_per_edge, 2);
   EXPECT_EQ(zone.coarsening_levels, -1);
   EXPECT_FALSE(zone.full_quadrature);
   EXPECT_EQ(zone.hourglass_coefficient, 1.);
@@ -40,13 +41,13 @@ TEST(CouplingSection, DefaultsArePeridynamicsThroughout)
 
 TEST(CouplingSection, AllEntriesAreRead)
 {
-  const auto zone =
-      read_with({"Coupling/Zone=automatic", "Coupling/Adaptive=true", "Coupling/Growth=plate",
-                 "Coupling/Conversion stretch=0.4", "Coupling/Method=energy blend",
-                 "Coupling/Blend function=linear", "Coupling/Blend width=3",
-                 "Coupling/Mass correction=false", "Coupling/Coarsening levels=2",
-                 "Coupling/Quadrature=full", "Coupling/Hourglass coefficient=0.5"})
-          .zone;
+  const auto zone = read_with({"Coupling/Zone=automatic", "Coupling/Adaptive=true",
+                               "Coupling/Growth=plate", "Coupling/Conversion stretch=0.4",
+                               "Coupling/Method=energy blend", "Coupling/Blend function=linear",
+                               "Coupling/Blend width=3", "Coupling/Mass correction=false",
+                               "Coupling/Coarsening levels=2", "Coupling/Quadrature=full",
+                               "Coupling/Hourglass coefficient=0.5", "Coupling/Element size=4"})
+                        .zone;
   EXPECT_EQ(zone.kind, ZoneKind::automatic);
   EXPECT_TRUE(zone.has_elements());
   EXPECT_TRUE(zone.adaptive);
@@ -57,6 +58,7 @@ TEST(CouplingSection, AllEntriesAreRead)
   EXPECT_EQ(zone.coupling.blend_width, 3.);
   EXPECT_FALSE(zone.coupling.correct_mass);
   EXPECT_EQ(zone.coarsening_levels, 2);
+  EXPECT_EQ(zone.coupling.points_per_edge, 4);
   EXPECT_TRUE(zone.full_quadrature);
   EXPECT_EQ(zone.hourglass_coefficient, 0.5);
   EXPECT_FALSE(
@@ -98,6 +100,7 @@ TEST(CouplingSection, BadValuesAreNamedWithTheirPlace)
   expect_scene_error({"Coupling/Conversion stretch=-0.1"},
                      {"Coupling", "Conversion stretch", "-0.1"});
   expect_scene_error({"Coupling/Coarsening levels=3"}, {"Coupling", "Coarsening levels", "3"});
+  expect_scene_error({"Coupling/Element size=3"}, {"Coupling", "Element size", "3"});
   expect_scene_error({"Coupling/Blend width=0"}, {"Coupling", "Blend width"});
   expect_scene_error({"Coupling/Blend width=11"}, {"Coupling", "Blend width", "10 horizons"});
   expect_scene_error({"Coupling/Hourglass coefficient=-1"},
@@ -108,6 +111,11 @@ TEST(CouplingSection, BadValuesAreNamedWithTheirPlace)
 
 TEST(CouplingSection, WhatDoesNotGoTogetherIsRefused)
 {
+  expect_scene_error({"Plate 1/Non-reflecting edges=true"},
+                     {"Plate 1", "Non-reflecting edges", "Coupling"});
+  EXPECT_TRUE(read_with({"Coupling/Zone=automatic", "Plate 1/Non-reflecting edges=true"})
+                  .plates[0]
+                  .absorbing_edges);
   for (const char *zone : {"everything", "none"})
     expect_scene_error({std::string("Coupling/Zone=") + zone, "Coupling/Adaptive=true"},
                        {"Coupling", "Adaptive", zone, "automatic"});

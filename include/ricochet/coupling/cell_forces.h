@@ -19,11 +19,11 @@ constexpr int voigt_number[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
 using StrainLanes  = Eigen::Array<double, 8, 1>;
 using StrainForces = std::array<StrainLanes, 3>; // per component of a force
 
-/// A number for the surroundings of a cell: cells with the same number have the same layers within
-/// `around` cells and the same faces of the plate within `faces` cells. By default, therefore, the
-/// same bonds and weights.
-std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, bool mirrored, int around = 2,
-                           int faces = 5);
+/// A number for the surroundings of a cell: cells with the same number have the same layers and the
+/// same faces of the plate around, and therefore the same bonds and weights. `alike` looks less
+/// far.
+std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, bool mirrored,
+                           bool alike = false);
 
 /// Parts of a material's moduli: forces and stiffness are linear in them.
 struct ElasticModuli

@@ -32,9 +32,11 @@ constexpr std::array<CouplingMethodName, 4> coupling_methods{
 
 struct CalibrationOptions
 {
-  int n_iterations = 60;   // at most
-  int round        = 7;    // iterations between two looks at the eigenvalues
-  double tolerance = 1e-3; // stop when all nodal forces are below, in units of M h^2 [-]
+  int n_iterations = 300; // at most
+  int round        = 7;   // iterations between two looks at the eigenvalues
+  // Stop when all nodal forces are below, in units of M h^2; where neighbours of points lack
+  // neighbours five times as much is allowed [-].
+  double tolerance = 2e-4;
   bool clip        = true; // false for studies of what happens then
 };
 
@@ -45,6 +47,8 @@ struct CouplingParameters
   BlendFunction blend   = BlendFunction::cubic; // linear or cubic
   double blend_width    = 2.;                   // in horizons
   bool correct_mass     = true;                 // consistent mass of the pad, to first order
+  // Of the elements next to the zone, in grid spacings: 1, 2 or 4.
+  int points_per_edge   = Zone::usual_points_per_edge;
   CalibrationOptions calibration;
 };
 } // namespace ricochet

@@ -16,9 +16,10 @@ struct FarFieldOptions
 {
   CouplingParameters coupling;
   Quadrature quadrature        = Quadrature::one_point;
-  double hourglass_coefficient = 1.; // see FiniteElementForce::Options
-  int coarsening_levels        = 0;  // the largest cubes have 2^levels times the edge of a cell
-  Zone::Cells fine_region{};         // cubes have the size of cells here, and two cells around
+  double hourglass_coefficient = 1.;    // see FiniteElementForce::Options
+  int coarsening_levels        = 0;     // the largest cubes have 2^levels times the edge of a cell
+  bool absorbing_edges         = false; // dashpots at the side faces, along x and y
+  Zone::Cells fine_region{};            // cubes have the size of cells here, and two cells around
 };
 
 /// Layers of the zone that a method needs, for the constructor of Zone.
@@ -56,7 +57,8 @@ public:
   struct Energies
   {
     double kinetic, strain, hourglass;
-    double viscous; // turned into heat so far
+    double viscous;  // turned into heat so far
+    double absorbed; // by the edges so far
     double total() const { return kinetic + strain + hourglass; }
   };
   Energies energies(double dt) const;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Which part of a plate is peridynamic. The plate is divided into cells, cubes of 2 x 2 x 2 points;
-// in the zone the points are free, everywhere else finite elements of (at least) that size carry
-// the plate. Around the zone lie layers of cells whose points follow the elements' nodes:
+// Which part of a plate is peridynamic. The plate is divided into cells, cubes of n x n x n points
+// with n = 2 unless chosen otherwise; in the zone the points are free, everywhere else finite
+// elements of (at least) that size carry the plate. Around the zone lie layers of cells whose
+// points follow the elements' nodes:
 //   pad    its points have their full (or blended) peridynamic energy, so that those in the zone
 //          feel an intact family of families;
 //   halo   its points have no energy, they are only neighbours of others.
@@ -41,15 +42,18 @@ public:
   };
   using Cell = std::array<int, 3>;
 
-  static constexpr int points_per_edge = 2;
+  static constexpr int usual_points_per_edge = 2;
 
   /// `reach`: of the stencil, in points. `blend_layers`: width of the blend in cells; 0 with the
-  /// step function takes what the horizon needs.
+  /// step function takes what the horizon needs. `points_per_edge`: of a cell, 1, 2 or 4.
   Zone(const std::array<int, 3> &n_cells, int reach, BlendFunction blend = BlendFunction::step,
-       int blend_layers = 0);
+       int blend_layers = 0, int points_per_edge = usual_points_per_edge);
+
+  int points_per_edge() const { return points_per_edge_; }
 
   const std::array<int, 3> &n_cells() const { return n_; }
   int pad_layers() const { return pad_; }
+  int halo_layers() const { return halo_; }
   int slaved_layers() const { return pad_ + halo_; }
 
   /// The zone will never grow beyond these cells, the whole plate unless said otherwise: lattices
@@ -82,10 +86,15 @@ public:
     return true;
   }
 
+  /// With the point of these lattice coordinates inside the plate.
+  Cell cell_of(int x, int y, int z) const
+  {
+    return {x / points_per_edge_, y / points_per_edge_, z / points_per_edge_};
+  }
   /// Of the point with these lattice coordinates inside the plate.
   PointKind kind(int x, int y, int z) const
   {
-    const Cell cell{x / points_per_edge, y / points_per_edge, z / points_per_edge};
+    const Cell cell = cell_of(x, y, z);
     const int layer = this->layer(cell);
     return layer == 0               ? PointKind::free
            : layer < far()          ? PointKind::slaved
@@ -125,7 +134,7 @@ private:
 
   std::array<int, 3> n_;
   Cells limit_;
-  int pad_, halo_;
+  int points_per_edge_, pad_, halo_;
   BlendFunction blend_;
   std::vector<std::uint8_t> layers_, contact_; // per cell
 };

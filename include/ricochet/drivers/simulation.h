@@ -29,13 +29,14 @@ struct EnergyBalance
   double fracture;   // released by broken bonds
   double initial;    // kinetic energy of the projectile at the start
   double viscous;    // turned into heat by relaxation
+  double absorbed;   // by edges that do not reflect
   /// Turned into heat between plates and in debris.
   double debris_friction;
 
   double residual() const
   {
     return initial - projectile - elastic - kinetic - strain - hourglass - conversion - contact -
-           debris - friction - debris_friction - fracture - viscous;
+           debris - friction - debris_friction - fracture - viscous - absorbed;
   }
 };
 

@@ -41,6 +41,7 @@ private:
   MPI_Comm communicator_;
   FarField &far_field_;
   Parameters parameters_;
+  int rim_width_, brick_; // in cells
   long n_updates_ = 0, n_conversions_ = 0, n_redistributions_ = 0;
   double loss_ = 0., reached_ = -1.;
   std::vector<char> rim_;                       // per cell: within reach of the interface

@@ -64,7 +64,8 @@ public:
   struct Energies // of this body as computed, without the mirrored half [J]
   {
     double kinetic, strain, hourglass;
-    double viscous; // turned into heat by relaxation since its start
+    double viscous;       // turned into heat by relaxation since its start
+    double absorbed = 0.; // by dashpots so far
   };
 
   struct Momenta
@@ -106,18 +107,26 @@ public:
   /// do, with the material's moduli until set_stiffness(). Masses are lumped anew. Collective.
   void set_active(const std::function<bool(const Vector3 &)> &active);
 
-  /// The mass of these elements acts as if it sat in the centres of their eight sub-cubes and not
-  /// in the corners, to first order: correct_mass() adds M_L^-1 (f - M_C a) to a = M_L^-1 f. The
-  /// sum of all forces stays as it is, because the rows of both mass matrices have the same sums.
-  /// Collective.
-  void set_consistent_mass(const std::vector<int> &elements);
+  /// The mass of these elements acts as if it sat in the centres of their sub-cubes, so many along
+  /// an edge, and not in the corners, to first order: correct_mass() adds M_L^-1 (f - M_C a) to a =
+  /// M_L^-1 f. The sum of all forces stays as it is, because the rows of both mass matrices have
+  /// the same sums. Collective.
+  void set_consistent_mass(const std::vector<int> &elements, int points_per_edge = 2);
   /// Call after velocity() was set from outside: the momentum that belongs to it under the
   /// consistent mass is kept, too. Collective.
   void velocity_changed();
 
   /// The node keeps its velocity along this axis, zero unless set otherwise; its force is then the
-  /// reaction. `node` is local; on ranks that do not own it the call does nothing.
+  /// reaction, also after set_active(). `node` is local; on ranks that do not own it the call does
+  /// nothing.
   void fix(int node, int component);
+
+  /// Waves leave through these faces of the box, -x, +x, -y, +y, -z, +z: dashpots pull back with
+  /// rho c_P v_n and rho c_S v_t per area, which absorbs plane waves at normal incidence altogether
+  /// (Lysmer and Kuhlemeyer 1969); at 60 degrees 6 % of the energy of P waves returns, 11 % of S
+  /// waves. Constant loads push the body away: nothing holds it there. The faces must keep their
+  /// elements, without consistent mass. Collective.
+  void absorb_at(const std::array<bool, 6> &faces);
 
   /// Ghosts and hanging nodes take over positions and velocities; call after every change of them.
   /// Collective.
@@ -190,6 +199,14 @@ private:
     int group, index; // group -1: not active
   };
 
+  struct Dashpot
+  {
+    int entry;          // component of an owned node
+    double coefficient; // [kg/s]
+  };
+  /// Of a dashpot's node, with half the dashpot's force at either end of the step [N].
+  double damped_force(const Dashpot &dashpot, double dt) const;
+
   void lump_mass();
   void add_mass_difference(const std::vector<double> &acceleration,
                            std::vector<double> &force) const;
@@ -218,7 +235,10 @@ private:
   double dissipated_elsewhere_ = 0.;  // by elements that are not active any more [J]
   std::vector<char> active_;
   std::vector<double> position_, velocity_, force_;
-  bool spreads_mass_ = false;     // the same on all ranks
+  std::vector<Dashpot> dashpots_;
+  double absorbed_     = 0.;      // by them, up to the step before [J]
+  bool spreads_mass_   = false;   // the same on all ranks
+  double spread_share_ = 0.;      // of an edge's mass that an end has of itself [-]
   std::vector<int> spread_;       // elements of consistent mass
   std::vector<int> spread_nodes_; // owned nodes among their corners
   // Per component of spread_nodes_: the force before its correction [N], and M_eff v, where
@@ -227,5 +247,6 @@ private:
   std::vector<double> acceleration_; // workspace
   std::vector<double> mass_;         // per owned node
   std::vector<double> inverse_mass_; // per component of owned nodes
+  std::vector<int> fixed_;           // entries of inverse_mass_ that fix() has made zero
 };
 } // namespace ricochet

@@ -137,8 +137,7 @@ public:
   Zone::Cell cell_of(const std::ptrdiff_t index) const
   {
     const auto c = lattice_.coordinates(index);
-    return {c[0] / Zone::points_per_edge, (c[1] < 0 ? -1 - c[1] : c[1]) / Zone::points_per_edge,
-            c[2] / Zone::points_per_edge};
+    return lattice_.zone()->cell_of(c[0], c[1] < 0 ? -1 - c[1] : c[1], c[2]);
   }
 
   /// Damage of an owned point: share of its family that is broken [-].

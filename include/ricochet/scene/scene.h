@@ -40,6 +40,7 @@ struct PlateParameters
   std::string material; // name of a MaterialParameters
   // With ZoneKind::boxes: columns through the plate, x from and to, y from and to [m].
   std::vector<std::array<double, 4>> zone_boxes = {};
+  bool absorbing_edges                          = false; // waves leave through the side faces
 };
 
 /// Which part of the plates is peridynamic; finite elements carry the rest.
