@@ -16,19 +16,36 @@ constexpr double margin     = 2.; // [horizons]
 
 // A ricochet's path is an arc. 0.3 in at 720 m/s: radius 110 mm; it grows with calibre and energy.
 constexpr double arc_radius = 110e-3, arc_calibre = 6.17e-3, arc_speed = 720.; // [m], [m], [m/s]
+
+// All lengths along x, from the entry point on [m].
+struct Path
+{
+  double before;   // this plate is reached, if nothing bends the path
+  double straight; // it is left again
+  double arc;      // a ricochet is over
+};
+
+Path path_of(const ImpactGeometry &impact)
+{
+  const double radius =
+      arc_radius * impact.calibre / arc_calibre * std::pow(impact.speed / arc_speed, 2);
+  const double tangent = std::tan(impact.incidence_angle);
+  return {impact.depth / tangent, (impact.depth + impact.thickness) / tangent,
+          2. * radius * std::sin(impact.incidence_angle)};
+}
+
+double side_of(const ImpactGeometry &impact)
+{
+  return half_width * impact.calibre + margin * impact.horizon;
+}
 } // namespace
 
 ZoneChoice corridor_zone(const ImpactGeometry &impact)
 {
-  const double radius =
-      arc_radius * impact.calibre / arc_calibre * std::pow(impact.speed / arc_speed, 2);
-  const double tangent  = std::tan(impact.incidence_angle);
-  const double before   = impact.depth / tangent; // travelled above this plate
-  const double straight = (impact.depth + impact.thickness) / tangent;
-  const double arc      = 2. * radius * std::sin(impact.incidence_angle);
-  const double path     = std::min(straight, std::max(arc, before));
-  const double side     = half_width * impact.calibre + margin * impact.horizon;
-  const double ahead    = path + impact.length + run_out * impact.calibre;
+  const auto [before, straight, arc] = path_of(impact);
+  const double path                  = std::min(straight, std::max(arc, before));
+  const double side                  = side_of(impact);
+  const double ahead                 = path + impact.length + run_out * impact.calibre;
   ZoneChoice choice{impact.entry_x + std::min(before, path) - side, impact.entry_x + ahead,
                     impact.entry_y - side, impact.entry_y + side, ""};
   char text[300];
@@ -42,6 +59,20 @@ ZoneChoice corridor_zone(const ImpactGeometry &impact)
   return choice;
 }
 
+ZoneChoice growth_limit(const ImpactGeometry &impact)
+{
+  const auto [before, straight, arc] = path_of(impact);
+  const double side                  = side_of(impact);
+  return {impact.entry_x + std::min(before, std::max(arc, straight)) - side,
+          impact.entry_x + std::max(arc, straight) + impact.length, impact.entry_y - side,
+          impact.entry_y + side, ""};
+}
+
+double growth_ahead(const ImpactGeometry &impact)
+{
+  return impact.calibre + margin * impact.horizon;
+}
+
 ZoneChoice entry_zone(const ImpactGeometry &impact)
 {
   const double tangent = std::tan(impact.incidence_angle);
@@ -52,7 +83,7 @@ ZoneChoice entry_zone(const ImpactGeometry &impact)
   char text[300];
   std::snprintf(text, sizeof text,
                 "the entry point with one calibre and two horizons around it; it grows with the "
-                "damage");
+                "damage and follows the projectile");
   choice.reason = text;
   return choice;
 }

@@ -208,8 +208,14 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
   // A zone that grows needs fine elements wherever it may get to, and so do contact points: where
   // the projectile and debris may be.
   auto &fine = result.options.fine_region;
-  fine       = scene.zone.grows_everywhere ? Zone::Cells{{0, 0, 0}, result.zone->n_cells()}
-                                           : hull({as_cells(corridor_zone(impact)), hull(boxes)});
+  fine       = hull({as_cells(corridor_zone(impact)), hull(boxes)});
+  if (scene.zone.adaptive && scene.zone.grows_everywhere)
+    fine = {{0, 0, 0}, result.zone->n_cells()};
+  else if (scene.zone.adaptive)
+  {
+    fine                = hull({as_cells(growth_limit(impact)), hull(boxes)});
+    result.growth_ahead = growth_ahead(impact);
+  }
   auto limit = scene.zone.adaptive ? fine : hull(boxes);
   if (plate.absorbing_edges && scene.zone.adaptive)
     limit = off_the_edges(limit, *result.zone, box.mirror_y);

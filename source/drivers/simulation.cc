@@ -225,7 +225,9 @@ void Simulation::evaluate(const bool energy)
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     plates_[i]->update_ghosts();
-    if (zone_watches_[i] && zone_watches_[i]->update(time_, dt_))
+    if (zone_watches_[i] &&
+        zone_watches_[i]->update(time_, dt_,
+                                 projectile_->bounding_box().second.x() + zones_[i].growth_ahead))
     {
       plates_[i]->update_ghosts();
       debris_->bodies_changed();

@@ -76,7 +76,7 @@ double ZoneWatch::energy(const double dt)
   return far_field_.energies(dt).total();
 }
 
-bool ZoneWatch::update(const double time, const double dt)
+bool ZoneWatch::update(const double time, const double dt, const double furthest)
 {
   if (n_updates_++ % steps_between_looks != 0 || (!parameters_.adaptive && reached_ >= 0.))
     return false;
@@ -89,18 +89,24 @@ bool ZoneWatch::update(const double time, const double dt)
     return false;
   }
 
+  const Zone &zone   = far_field_.zone();
+  const auto &plate  = far_field_.points().lattice().box();
+  const double cells = (furthest - plate.corner.x()) / (zone.points_per_edge() * plate.spacing);
+  const int last_column =
+      brick_below(static_cast<int>(std::min<double>(zone.n_cells()[0], cells)), brick_) + brick_;
   std::vector<Zone::Cells> boxes;
   for (const auto &c : columns)
   {
-    Zone::Cells box = far_field_.zone().limit();
+    Zone::Cells box = zone.limit();
     for (int d = 0; d < 2; ++d)
     {
       box.low[d]  = brick_below(c[d] - rim_width_, brick_);
       box.high[d] = brick_below(c[d] + rim_width_, brick_) + brick_;
     }
+    box.high[0] = std::min(box.high[0], last_column);
     boxes.push_back(box);
   }
-  if (!far_field_.zone().would_grow(boxes))
+  if (!zone.would_grow(boxes))
   {
     if (reached_ < 0.)
       reached_ = time;

@@ -38,4 +38,11 @@ ZoneChoice corridor_zone(const ImpactGeometry &impact);
 
 /// Only what the first moments need; for zones that grow.
 ZoneChoice entry_zone(const ImpactGeometry &impact);
+
+/// The largest zone that a growing one may become: as wide as the corridor, and as long as the arc
+/// of a ricochet or the straight path, whichever is longer, plus the projectile.
+ZoneChoice growth_limit(const ImpactGeometry &impact);
+
+/// A growing zone stays so far ahead of the projectile [m].
+double growth_ahead(const ImpactGeometry &impact);
 } // namespace ricochet

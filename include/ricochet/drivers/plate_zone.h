@@ -6,6 +6,7 @@
 #include "ricochet/coupling/far_field.h"
 #include "ricochet/scene/scene.h"
 
+#include <limits>
 #include <memory>
 
 namespace ricochet
@@ -14,7 +15,8 @@ struct PlateZone
 {
   std::unique_ptr<Zone> zone; // null if the plate is peridynamic throughout
   FarFieldOptions options;
-  std::string reason; // for the user
+  double growth_ahead = std::numeric_limits<double>::infinity(); // of the projectile, along x [m]
+  std::string reason;                                            // for the user
 };
 
 /// Points along x, y and z of a plate; with elements a multiple of what their largest cubes hold.

@@ -6,6 +6,8 @@
 
 #include "ricochet/coupling/far_field.h"
 
+#include <limits>
+
 namespace ricochet
 {
 class ZoneWatch
@@ -21,9 +23,9 @@ public:
   /// `far_field` and its points must outlive this object.
   ZoneWatch(MPI_Comm communicator, FarField &far_field, const Parameters &parameters);
 
-  /// Call once per step, before the points are evaluated, with ghosts up to date. Returns whether
-  /// elements became points. Collective.
-  bool update(double time, double dt);
+  /// Call once per step, before the points are evaluated, with ghosts up to date. Beyond `furthest`
+  /// along x nothing grows yet [m]. Returns whether elements became points. Collective.
+  bool update(double time, double dt, double furthest = std::numeric_limits<double>::infinity());
 
   long n_conversions() const { return n_conversions_; }
   long n_redistributions() const { return n_redistributions_; } // of points over the ranks
