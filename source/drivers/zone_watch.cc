@@ -7,12 +7,11 @@ namespace ricochet
 {
 namespace
 {
-constexpr int steps_between_looks = 5;
 // Free points so near to the interface are looked at: two horizons of three points.
-constexpr int rim_points          = 6;
+constexpr int rim_points   = 6;
 // A zone grows by bricks of so many points along x and y: the same few shapes of the interface come
 // again and again, and conversions are few.
-constexpr int brick_points        = 8;
+constexpr int brick_points = 8;
 
 int brick_below(const int cell, const int brick)
 {

@@ -59,7 +59,8 @@ TEST(ZoneWatch, FixedZoneSaysWhenItWasReached)
   pull(plate, {9, 14, 2}, 0.008);
   for (int step = 1; step < 20; ++step)
     EXPECT_FALSE(watch.update(step * dt, dt));
-  EXPECT_DOUBLE_EQ(watch.reached(), 5. * dt); // the next look, and the first one counts
+  EXPECT_DOUBLE_EQ(watch.reached(),
+                   ZoneWatch::steps_between_looks * dt); // the next look, and the first one counts
   EXPECT_EQ(watch.n_conversions(), 0);
 }
 

@@ -13,6 +13,9 @@ namespace ricochet
 class ZoneWatch
 {
 public:
+  /// With the usual time step waves cross less than the watched rim in so many steps.
+  static constexpr int steps_between_looks = 8;
+
   struct Parameters
   {
     double stretch; // of a bond, at which damage is expected [-]
