@@ -63,9 +63,8 @@ ZoneChoice growth_limit(const ImpactGeometry &impact)
 {
   const auto [before, straight, arc] = path_of(impact);
   const double side                  = side_of(impact);
-  return {impact.entry_x + std::min(before, std::max(arc, straight)) - side,
-          impact.entry_x + std::max(arc, straight) + impact.length, impact.entry_y - side,
-          impact.entry_y + side, ""};
+  return {impact.entry_x + before - side, impact.entry_x + std::max(arc, straight) + impact.length,
+          impact.entry_y - side, impact.entry_y + side, ""};
 }
 
 double growth_ahead(const ImpactGeometry &impact)

@@ -80,7 +80,9 @@ void LatticeState::follow_zone(const Lattice &lattice, const int first, const in
     return std::clamp<std::ptrdiff_t>((x - lattice.first_plane() + reach) * lattice.plane_stride(),
                                       0, lattice.owned_end() + reach * lattice.plane_stride());
   };
-  weigh(lattice, plane(first), plane(last));
+  // Weights depend on the layers of neighbouring cells.
+  const int edge = lattice.zone()->points_per_edge();
+  weigh(lattice, plane(first - edge), plane(last + edge));
 }
 
 void LatticeState::zero(const Lattice &lattice, double *field) const

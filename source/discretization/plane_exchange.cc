@@ -2,14 +2,12 @@
 #include "ricochet/discretization/plane_exchange.h"
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
 
 namespace ricochet
 {
 namespace
 {
-constexpr int tag = 1002;
+constexpr int tag = 1004; // 1000 to 1003: debris, lists, nodes
 
 /// Global planes first <= x < last.
 struct Planes
@@ -45,27 +43,26 @@ void PlaneExchange::move_bytes(const char *const from, char *const to,
   { return from + bytes * (plane - from_.first_plane() + reach); };
   const auto new_place = [&](const int plane)
   { return to + bytes * (plane - to_.first_plane() + reach); };
-  const auto length = [&](const Planes &planes)
-  {
-    if (bytes * planes.n() > std::size_t(std::numeric_limits<int>::max()))
-      throw std::length_error("more than 2 GiB for one rank");
-    return static_cast<int>(bytes * planes.n());
-  };
+  // Counted in planes, as all of them together may be more bytes than an int can hold.
+  MPI_Datatype plane;
+  MPI_Type_contiguous(static_cast<int>(bytes), MPI_BYTE, &plane);
+  MPI_Type_commit(&plane);
 
   std::vector<MPI_Request> requests;
   for (int r = 0; r < n_ranks; ++r)
     if (const auto planes = common(owned_before(r), needed(rank)); planes.n() > 0 && r != rank)
-      MPI_Irecv(new_place(planes.first), length(planes), MPI_BYTE, r, tag, communicator_,
+      MPI_Irecv(new_place(planes.first), planes.n(), plane, r, tag, communicator_,
                 &requests.emplace_back());
   for (int r = 0; r < n_ranks; ++r)
     if (const auto planes = common(owned_before(rank), needed(r)); planes.n() > 0)
     {
       if (r == rank)
-        std::copy_n(old_place(planes.first), length(planes), new_place(planes.first));
+        std::copy_n(old_place(planes.first), bytes * planes.n(), new_place(planes.first));
       else
-        MPI_Isend(old_place(planes.first), length(planes), MPI_BYTE, r, tag, communicator_,
+        MPI_Isend(old_place(planes.first), planes.n(), plane, r, tag, communicator_,
                   &requests.emplace_back());
     }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  MPI_Type_free(&plane);
 }
 } // namespace ricochet

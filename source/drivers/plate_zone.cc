@@ -207,15 +207,17 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
 
   // A zone that grows needs fine elements wherever it may get to, and so do contact points: where
   // the projectile and debris may be.
+  const auto widest = [&](const ImpactGeometry &geometry)
+  {
+    const auto corridor = as_cells(corridor_zone(geometry));
+    return scene.zone.adaptive ? hull({corridor, as_cells(growth_limit(geometry))}) : corridor;
+  };
   auto &fine = result.options.fine_region;
-  fine       = hull({as_cells(corridor_zone(impact)), hull(boxes)});
+  fine       = hull({widest(impact), hull(boxes)});
   if (scene.zone.adaptive && scene.zone.grows_everywhere)
     fine = {{0, 0, 0}, result.zone->n_cells()};
   else if (scene.zone.adaptive)
-  {
-    fine                = hull({as_cells(growth_limit(impact)), hull(boxes)});
     result.growth_ahead = growth_ahead(impact);
-  }
   auto limit = scene.zone.adaptive ? fine : hull(boxes);
   if (plate.absorbing_edges && scene.zone.adaptive)
     limit = off_the_edges(limit, *result.zone, box.mirror_y);
@@ -227,17 +229,23 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
   for (const auto &other : scene.plates)
   {
     depth += &other == &scene.plates.front() ? 0. : other.gap;
-    const auto corridor = corridor_zone(
-        impact_on(scene, depth, other.thickness, other.horizon_ratio * other.spacing));
-    fine = hull({fine, as_cells(corridor)});
-    for (const auto &b : other.zone_boxes)
-      fine = hull({fine, columns(box, edge, b[0], b[1], b[2], b[3])});
+    const Stencil around =
+        make_stencil(other.spacing, other.horizon_ratio, other.influence_function);
+    auto cells = widest(impact_on(scene, depth, other.thickness, around.horizon));
+    if (scene.zone.kind == ZoneKind::boxes)
+      for (const auto &b : other.zone_boxes)
+        cells = hull({cells, columns(box, edge, b[0], b[1], b[2], b[3])});
+    // Pad and halo of the other plate, in cells of this one.
+    const double layers =
+        make_zone({1, 1, 1}, around, scene.zone.coupling).slaved_layers() * other.spacing;
+    const int margin = static_cast<int>(std::ceil(layers / box.spacing - 1e-9));
+    for (int d = 0; d < 2; ++d)
+    {
+      cells.low[d] -= margin;
+      cells.high[d] += margin;
+    }
+    fine = hull({fine, cells});
     depth += other.thickness;
-  }
-  for (int d = 0; d < 2; ++d)
-  {
-    fine.low[d] -= result.zone->slaved_layers();
-    fine.high[d] += result.zone->slaved_layers();
   }
   result.zone->set_contact_region({fine});
   return result;

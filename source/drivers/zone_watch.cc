@@ -102,15 +102,14 @@ bool ZoneWatch::update(const double time, const double dt, const double furthest
       box.low[d]  = brick_below(c[d] - rim_width_, brick_);
       box.high[d] = brick_below(c[d] + rim_width_, brick_) + brick_;
     }
+    // What waits for the projectile has not reached its limit.
+    if (reached_ < 0. && !zone.would_grow({box}))
+      reached_ = time;
     box.high[0] = std::min(box.high[0], last_column);
     boxes.push_back(box);
   }
   if (!zone.would_grow(boxes))
-  {
-    if (reached_ < 0.)
-      reached_ = time;
     return false;
-  }
   // The dilatation of the step before belongs to the fracture energy of the next one.
   auto &points        = far_field_.points();
   const auto history  = points.dilatation_history();

@@ -76,7 +76,7 @@ def labels_of(rows):
     if len(titles) < 2 or len(set(titles.values())) < len(titles):
         return {row["scene"]: row["scene"].replace("_", " ") for row in rows}, ""
     shared = os.path.commonprefix(list(titles.values()))
-    shared = shared[:shared.rfind(", ") + 2]
+    shared = shared[:shared.rfind(", ") + 2] if ", " in shared else ""
     labels = {row["scene"]: titles.get(row["scene"], row["scene"])[len(shared) if row["scene"] in titles else 0:]
               for row in rows}
     return labels, shared.rstrip(", ")

@@ -248,8 +248,9 @@ SectionDeclaration coupling()
                     "around the entry point"),
        with_default(
            "Growth", choice({"corridor", "plate"}), "corridor",
-           "How far an adaptive zone may grow: in the corridor that decides the impact, or "
-           "in the whole plate after every crack, which is dear"),
+           "How far an adaptive zone may grow: as wide as the corridor of the impact and no further "
+           "than a little ahead of the projectile, or in the whole plate after every crack, which is "
+           "dear"),
        with_default("Conversion stretch", quantity(Dimension::number, Limit::fraction), "0.5",
                     "Stretch of a bond near the interface, in critical stretches, at which an "
                     "adaptive zone grows; a fixed one is reported as reached"),

@@ -171,14 +171,18 @@ double read_peridynamic_length(const Parameters &parameters, const BodyOfRevolut
 /// What a deformable projectile needs besides its shape.
 void read_deformable(const Parameters &parameters, ProjectileParameters &projectile)
 {
-  const std::string in = "Projectile";
-  if (parameters.text(in, "Model") == "rigid")
+  const std::string in = "Projectile", model = parameters.text(in, "Model");
+  if (model != "peridynamic nose" && parameters.is_given(in, "Peridynamic length"))
+    parameters.fail(in, "Peridynamic length",
+                    "A projectile that is " + in_quotes(model) + " has none.",
+                    "Remove the entry, or choose 'Model = peridynamic nose'.");
+  if (model == "rigid")
     return;
   const std::map<std::string, ProjectileModel> models{
       {"finite elements", ProjectileModel::finite_elements},
       {"peridynamic nose", ProjectileModel::peridynamic_nose},
       {"peridynamic", ProjectileModel::peridynamic}};
-  projectile.model = models.at(parameters.text(in, "Model"));
+  projectile.model = models.at(model);
   if (projectile.model == ProjectileModel::peridynamic_nose)
     projectile.peridynamic_length = read_peridynamic_length(parameters, projectile.shape);
   projectile.spacing        = parameters.quantity(in, "Grid spacing");

@@ -190,6 +190,63 @@ TEST(PlateZone, AutomaticZoneHoldsTheCorridorAndAnAdaptiveOneItsBeginning)
   }
 }
 
+TEST(PlateZone, AdaptiveZoneMayGrowAtLeastAsFarAsTheFixedOneIs)
+{
+  Scene scene     = big_plate();
+  scene.zone.kind = ZoneKind::automatic;
+  scene.plates[0].length *= 3.;
+  for (const double speed : {300., 500., 720., 928.})
+    for (const double angle : {10., 30., 45., 60.})
+    {
+      scene.impact.speed           = speed;
+      scene.impact.incidence_angle = angle * 3.14159265358979 / 180.;
+      scene.zone.adaptive          = false;
+      const auto fixed             = column(*zone_of(scene).zone);
+      scene.zone.adaptive          = true;
+      const auto limit             = zone_of(scene).zone->limit();
+      EXPECT_LE(limit.low[0], fixed[0]) << speed << " m/s, " << angle;
+      EXPECT_GE(limit.high[0], fixed[1]) << speed << " m/s, " << angle;
+      EXPECT_LE(limit.low[1], fixed[2]) << speed << " m/s, " << angle;
+      EXPECT_GE(limit.high[1], fixed[3]) << speed << " m/s, " << angle;
+    }
+}
+
+TEST(PlateZone, PlatesOfAStackCanBeTouchedWhereverAnyOfThemMayHavePoints)
+{
+  for (const bool adaptive : {false, true})
+  {
+    Scene scene                  = big_plate();
+    scene.zone.kind              = ZoneKind::automatic;
+    scene.zone.adaptive          = adaptive;
+    scene.impact.incidence_angle = 0.35;
+    scene.plates[0].length *= 2.;
+    scene.plates.push_back(scene.plates[0]);
+    std::vector<PlateZone> zones;
+    for (const double top : {0., -scene.plates[0].thickness})
+    {
+      const auto &plate = scene.plates[0];
+      const auto n      = lattice_points(scene, plate);
+      const Lattice::Box box{
+          {0., -0.5 * n[1] * plate.spacing, top - n[2] * plate.spacing}, plate.spacing, n, false};
+      zones.push_back(
+          plate_zone(scene, plate, box,
+                     make_stencil(plate.spacing, plate.horizon_ratio, plate.influence_function)));
+    }
+    const auto &n = zones[0].zone->n_cells();
+    for (const auto &one : zones)
+      for (const auto &other : zones)
+        for (int i = one.zone->limit().low[0] - one.zone->slaved_layers();
+             i < one.zone->limit().high[0] + one.zone->slaved_layers(); ++i)
+          for (int j = one.zone->limit().low[1] - one.zone->slaved_layers();
+               j < one.zone->limit().high[1] + one.zone->slaved_layers(); ++j)
+            for (const int k : {0, n[2] - 1})
+              if (other.zone->contains({i, j, k}))
+                EXPECT_TRUE(other.zone->layer({i, j, k}) < other.zone->far() ||
+                            other.zone->has_contact({i, j, k}))
+                    << i << ' ' << j << ' ' << k;
+  }
+}
+
 TEST(PlateZone, FasterProjectilesNeedLongerCorridors)
 {
   Scene scene                  = big_plate();

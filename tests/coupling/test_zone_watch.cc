@@ -115,6 +115,22 @@ TEST(ZoneWatch, ZoneAtItsLimitIsReported)
   EXPECT_DOUBLE_EQ(watch.reached(), 3e-6);
 }
 
+TEST(ZoneWatch, ZoneWaitsForTheProjectileWithoutHavingReachedItsLimit)
+{
+  CoupledPlate plate(plate_with_column());
+  ZoneWatch watch(MPI_COMM_SELF, *plate.far, parameters(true));
+  pull(plate, {19, 14, 2}, 0.008);
+  const double edge = 40. * plate.spacing; // of the zone
+  EXPECT_FALSE(watch.update(0., dt, edge - 1e-6));
+  EXPECT_LT(watch.reached(), 0.);
+  for (int step = 1; step < ZoneWatch::steps_between_looks; ++step)
+    EXPECT_FALSE(watch.update(step * dt, dt, edge + 1e-6)) << "between two looks";
+  EXPECT_TRUE(watch.update(1., dt, edge + 1e-6));
+  EXPECT_LT(watch.reached(), 0.);
+  EXPECT_TRUE(plate.zone->is_free({23, 14, 2}));
+  EXPECT_FALSE(plate.zone->is_free({24, 14, 2}));
+}
+
 TEST(ZoneWatch, LossIsTheEnergyThatIsMissingAfterwards)
 {
   CoupledPlate plate(plate_with_column());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One body's points on a regular lattice, and the share of them that lives on this rank. Never
-// changes after construction, unless its zone grows; what moves is in LatticeState.
+// changes after construction, unless its zone grows or its planes are shared anew; what moves is in
+// LatticeState.
 //
 // Storage: planes of constant x, cut into contiguous slabs, one per rank; in a plane, rows of
 // constant z; in a row, y is contiguous. A bond is a constant shift of the flat index, so kernels

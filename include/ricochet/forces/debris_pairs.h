@@ -59,7 +59,7 @@ public:
   /// ghosts must be. `dt`: the coming step [s], which tells how far points may get before the pairs
   /// are searched again. Collective.
   void update(double dt);
-  /// Points have appeared: the next update searches all.
+  /// Points have appeared, or changed their flat index or rank: the next update searches all.
   void bodies_changed() { bodies_changed_ = true; }
 
   // The lists: pairs that touch and others; some may stand there twice.

@@ -81,7 +81,8 @@ public:
   void advance(double kick, double drift);
 
   /// The energy of each point counts so many times, besides the zone's share of it: per point,
-  /// images too [-]. Needs a zone.
+  /// images too [-]. Needs a zone, and one that neither grows nor moves between ranks: both start
+  /// from the zone's shares again.
   void scale_energy(const std::vector<double> &factor);
 
   struct Energies // of this body as computed, without the mirrored half [J]
