@@ -111,13 +111,13 @@ TEST(PrmFiles, SinglePlateStudyHasAllCasesOnTwoGrids)
 TEST(PrmFiles, CoupledStudiesCompareEnsemblesWithPeridynamicsThroughout)
 {
   for (const auto &[name, n_cases] :
-       {std::pair("accuracy", 20U), {"plate_size", 36U}, {"cases", 72U}})
+       {std::pair("accuracy", 40U), {"plate_size", 36U}, {"cases", 72U}})
   {
     const auto study = read_study((prm_folder / "coupled" / (std::string(name) + ".prm")).string());
     EXPECT_EQ(study.reference, "base_full") << name;
     EXPECT_EQ(study.cases.size(), n_cases) << name;
     EXPECT_TRUE(study.axes.back().is_ensemble) << name;
-    EXPECT_EQ(study.axes.back().values.size(), 4U) << name;
+    EXPECT_GE(study.axes.back().values.size(), 4U) << name;
     for (const auto &one : study.cases) // what is timed writes no pictures and no fields
     {
       const Scene scene = read_scene(ParameterFile(one.scene_file, one.overrides));
