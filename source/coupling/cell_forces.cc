@@ -30,7 +30,8 @@ std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, const bool 
 {
   // Bonds reach as far as the halo is wide; a little more, as tensors depend on their neighbours.
   const int around = alike ? cells_for(2, zone) : std::max(cells_for(4, zone), zone.halo_layers());
-  const int faces  = cells_for(alike ? 6 : 10, zone);
+  const int faces =
+      alike ? cells_for(6, zone) : std::max(cells_for(10, zone), 2 * zone.halo_layers());
   // FNV-1a over small numbers.
   std::uint64_t hash = 14695981039346656037ull;
   const auto add     = [&](const int value)

@@ -332,7 +332,6 @@ void CoupledBody::correct_surface(PeridynamicForce &&whole)
       {
         if (energy[p] > 0.)
           factor[p] = bulk / energy[p];
-        most_often_ = std::max(most_often_, factor[p]);
       });
   whole.state().mirror(whole.lattice(), factor.data());
   peridynamic_->scale_energy(factor);

@@ -147,49 +147,44 @@ bool draw(const char *name, const std::vector<std::filesystem::path> &paths, con
               << "\n";
   return false;
 }
+
+/// Collective; the same answer on all ranks.
+bool draw_on_first_rank(const MPI_Comm comm, const char *script,
+                        const std::vector<std::filesystem::path> &arguments, const bool quiet)
+{
+  int drawn = 0;
+  on_first_rank(comm, [&] { drawn = draw(script, arguments, quiet); });
+  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
+  return drawn != 0;
+}
 } // namespace
 
 bool draw_pictures(const MPI_Comm comm, const std::filesystem::path &directory, const bool quiet)
 {
-  int drawn = 0;
-  on_first_rank(comm, [&] { drawn = draw("plot_run.py", {directory}, quiet); });
-  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
-  return drawn != 0;
+  return draw_on_first_rank(comm, "plot_run.py", {directory}, quiet);
 }
 
 bool draw_study_picture(const MPI_Comm comm, const std::filesystem::path &directory,
                         const bool quiet)
 {
-  int drawn = 0;
-  on_first_rank(comm, [&] { drawn = draw("plot_study.py", {directory}, quiet); });
-  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
-  return drawn != 0;
+  return draw_on_first_rank(comm, "plot_study.py", {directory}, quiet);
 }
 
 bool draw_accuracy_chart(const MPI_Comm comm, const std::filesystem::path &directory,
                          const bool quiet)
 {
-  int drawn = 0;
-  on_first_rank(comm, [&] { drawn = draw("plot_accuracy.py", {directory}, quiet); });
-  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
-  return drawn != 0;
+  return draw_on_first_rank(comm, "plot_accuracy.py", {directory}, quiet);
 }
 
 bool draw_search_plot(const MPI_Comm comm, const std::filesystem::path &rows,
                       const std::filesystem::path &picture, const bool quiet)
 {
-  int drawn = 0;
-  on_first_rank(comm, [&] { drawn = draw("plot_search.py", {rows, picture}, quiet); });
-  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
-  return drawn != 0;
+  return draw_on_first_rank(comm, "plot_search.py", {rows, picture}, quiet);
 }
 
 bool draw_stability_map(const MPI_Comm comm, const std::filesystem::path &table,
                         const std::filesystem::path &picture, const bool quiet)
 {
-  int drawn = 0;
-  on_first_rank(comm, [&] { drawn = draw("plot_stability.py", {table, picture}, quiet); });
-  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
-  return drawn != 0;
+  return draw_on_first_rank(comm, "plot_stability.py", {table, picture}, quiet);
 }
 } // namespace ricochet

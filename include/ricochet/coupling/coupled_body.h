@@ -96,9 +96,6 @@ public:
   /// Axial position where elements end and free points begin; the base without elements [m].
   double interface() const { return interface_; }
   const Overlap &overlap() const { return overlap_; }
-  /// How often the energy of a point counts at most [-].
-  double most_often() const { return most_often_; }
-  PeridynamicForce &peridynamic() { return *peridynamic_; }
   const ElasticBody *elements() const { return elements_.get(); } // null if there are none
 
 private:
@@ -117,6 +114,6 @@ private:
   std::vector<int> node_, slaved_;    // mass points of the mesh's nodes; points that follow nodes
   std::vector<std::ptrdiff_t> index_; // of points_ in the lattice
   Overlap overlap_;
-  double most_often_ = 1., stored_ = 0.;
+  double stored_ = 0.;
 };
 } // namespace ricochet

@@ -111,7 +111,7 @@ public:
   /// an edge, and not in the corners, to first order: correct_mass() adds M_L^-1 (f - M_C a) to a =
   /// M_L^-1 f. The sum of all forces stays as it is, because the rows of both mass matrices have
   /// the same sums. Collective.
-  void set_consistent_mass(const std::vector<int> &elements, int points_per_edge = 2);
+  void set_consistent_mass(const std::vector<int> &elements, int points_per_edge);
   /// Call after velocity() was set from outside: the momentum that belongs to it under the
   /// consistent mass is kept, too. Collective.
   void velocity_changed();
