@@ -14,9 +14,6 @@ namespace
 // Small enough to be linear, large enough that extensions survive the cancellation |xi + eta| -
 // |xi|.
 constexpr double strain = 1e-6;
-// The residual forces of the relaxed plate, in units of those at the start, in the norm of the
-// preconditioner.
-constexpr double enough = 1e-1;
 
 class Patch
 {
@@ -82,14 +79,15 @@ public:
   }
 
   /// Solves K u = f; returns the number of iterations.
-  int relax(const std::vector<double> &f, const int most_iterations, std::vector<double> &u)
+  int relax(const std::vector<double> &f, const int most_iterations, const double residual_left,
+            std::vector<double> &u)
   {
     const Eigen::Matrix3d none   = Eigen::Matrix3d::Zero();
     // Forces are linear in displacements of this size only.
     const double size            = strain * edge_;
     std::vector<double> residual = f, softened = soften(f), direction = softened;
     double squared       = product(residual, softened);
-    const double at_last = enough * enough * squared;
+    const double at_last = residual_left * residual_left * squared;
     int iteration        = 0;
     for (; iteration < most_iterations && squared > at_last; ++iteration)
     {
@@ -208,7 +206,8 @@ private:
 };
 } // namespace
 
-PatchReport patch_test(const MPI_Comm communicator, FarField &plate, const int most_iterations)
+PatchReport patch_test(const MPI_Comm communicator, FarField &plate, const int most_iterations,
+                       const double residual_left)
 {
   Patch patch(communicator, plate);
   const bool mirrored = plate.points().lattice().box().mirror_y;
@@ -227,7 +226,7 @@ PatchReport patch_test(const MPI_Comm communicator, FarField &plate, const int m
       if (most_iterations <= 0)
         continue;
       auto u = nothing;
-      report.n_iterations += patch.relax(f, most_iterations, u);
+      report.n_iterations += patch.relax(f, most_iterations, residual_left, u);
       report.strain_error = std::max(report.strain_error, patch.largest_gradient(u) / strain);
     }
   patch.forces(Eigen::Matrix3d::Zero(), nothing);

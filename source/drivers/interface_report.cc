@@ -29,7 +29,8 @@ const char *verdict(const bool good)
 }
 } // namespace
 
-std::vector<InterfaceReport> interface_reports(const MPI_Comm communicator, Simulation &simulation)
+std::vector<InterfaceReport> interface_reports(const MPI_Comm communicator, Simulation &simulation,
+                                               const double residual_left)
 {
   std::vector<InterfaceReport> reports;
   for (std::size_t i = 0; i < simulation.far_fields().size(); ++i)
@@ -39,7 +40,7 @@ std::vector<InterfaceReport> interface_reports(const MPI_Comm communicator, Simu
       continue;
     InterfaceReport report{};
     report.plate         = i;
-    report.patch         = patch_test(communicator, *far);
+    report.patch         = patch_test(communicator, *far, /*most_iterations=*/200, residual_left);
     const auto &estimate = simulation.frequencies()[i];
     report.frequency     = std::sqrt(estimate.squared_frequency);
     report.step_limit    = 2. / report.frequency;

@@ -32,8 +32,10 @@ struct InterfaceReport
   bool good() const { return ghost_good() && strain_good() && step_good(); }
 };
 
-/// Of all plates with an interface. Before the first step only. Collective.
-std::vector<InterfaceReport> interface_reports(MPI_Comm communicator, Simulation &simulation);
+/// Of all plates with an interface; `residual_left` as in patch_test(). Before the first step only.
+/// Collective.
+std::vector<InterfaceReport> interface_reports(MPI_Comm communicator, Simulation &simulation,
+                                               double residual_left = 1e-2);
 
 void print(const std::vector<InterfaceReport> &reports);
 } // namespace ricochet
