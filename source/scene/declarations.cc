@@ -246,11 +246,12 @@ SectionDeclaration coupling()
        with_default("Adaptive", flag(), "false",
                     "Whether the zone grows ahead of damage; an automatic zone then starts small, "
                     "around the entry point"),
-       with_default(
-           "Growth", choice({"corridor", "plate"}), "corridor",
-           "How far an adaptive zone may grow: as wide as the corridor of the impact and no further "
-           "than a little ahead of the projectile, or in the whole plate after every crack, which is "
-           "dear"),
+       with_default("Growth", choice({"corridor", "plate"}), "corridor",
+                    "How far an adaptive zone may grow: as wide as the corridor of the impact and "
+                    "no further "
+                    "than a little ahead of the projectile, or in the whole plate after every "
+                    "crack, which is "
+                    "dear"),
        with_default("Conversion stretch", quantity(Dimension::number, Limit::fraction), "0.5",
                     "Stretch of a bond near the interface, in critical stretches, at which an "
                     "adaptive zone grows; a fixed one is reported as reached"),

@@ -30,7 +30,6 @@ public:
   std::string parts() const override;
   double seconds_per_step() const override { return seconds_per_step_; }
 
-
 private:
   /// A mass point that a node of the skin follows.
   struct Support

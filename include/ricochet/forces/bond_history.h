@@ -89,8 +89,8 @@ public:
   void take_over(const LatticeArrays &arrays, const std::vector<std::uint8_t> &chosen,
                  const std::function<Eigen::Matrix3d(std::ptrdiff_t, int)> &history);
 
-  /// The lattice's planes are moving to other ranks: takes over what belongs to them. `size`: of the
-  /// new share's fields.
+  /// The lattice's planes are moving to other ranks: takes over what belongs to them. `size`: of
+  /// the new share's fields.
   void redistribute(const PlaneExchange &planes, std::ptrdiff_t size);
 
   double bytes_per_point() const;

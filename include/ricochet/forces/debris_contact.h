@@ -53,8 +53,8 @@ public:
 
   /// Pairs that touch; a point and an image count as half of one. Collective.
   double n_touching() const;
-  /// Points have appeared in a body, or changed their flat index or rank, since the last evaluate();
-  /// the same on all ranks.
+  /// Points have appeared in a body, or changed their flat index or rank, since the last
+  /// evaluate(); the same on all ranks.
   void bodies_changed() { pairs_.bodies_changed(); }
   /// How often all pairs have been searched, and how many points have been searched alone.
   long n_searches() const { return pairs_.n_searches(); }
