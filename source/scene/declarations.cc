@@ -233,49 +233,64 @@ SectionDeclaration material(const std::string &name)
            {{{"Critical stretch"}, {"Energy release rate"}}}}};
 }
 
+/// What sections Coupling and Stability share: the tie between points and elements, and the
+/// elements.
+std::vector<EntryDeclaration> interface_entries()
+{
+  return {with_default("Method", choice(coupling_method_names()), "calibrated energy blend",
+                       "What ties points and elements together"),
+          with_default("Blend function", choice({"linear", "cubic"}), "cubic",
+                       "Fall of the weight over the blend; of the energy and force blends only"),
+          with_default("Blend width", quantity(Dimension::number, Limit::positive), "2",
+                       "Width of the blend in horizons; of the energy and force blends only"),
+          with_default("Mass correction", flag(), "true",
+                       "Whether the elements next to the zone get their consistent mass, to first "
+                       "order: waves pass the interface better"),
+          with_default("Element size", choice({"1", "2", "4"}), "2",
+                       "Edge of the elements next to the zone, in grid spacings; 1 halves the time "
+                       "step, 4 keeps out waves of four horizons and less"),
+          with_default("Quadrature", choice({"one point", "full"}), "one point",
+                       "Integration of the elements away from the zone: one point with hourglass "
+                       "control, or 2 x 2 x 2 points"),
+          with_default("Hourglass coefficient", quantity(Dimension::number, Limit::not_negative),
+                       "1",
+                       "Stiffness of the hourglass modes; 1 gives pure bending its exact energy, 0 "
+                       "switches the control off")};
+}
+
+/// Both, in this order.
+std::vector<EntryDeclaration> joined(std::vector<EntryDeclaration> first,
+                                     const std::vector<EntryDeclaration> &second)
+{
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
 SectionDeclaration coupling()
 {
   return {
       "Coupling",
       "Peridynamics only where it breaks: which part of the plates is peridynamic (the zone), and "
       "how the finite elements around it are tied to it.",
-      {with_default("Zone", choice({"everything", "automatic", "boxes", "none"}), "everything",
-                    "Part of the plates that is peridynamic: everything, the corridor that the "
-                    "impact will damage, the boxes given with the plates, or none (elastic finite "
-                    "elements alone)"),
-       with_default("Adaptive", flag(), "false",
-                    "Whether the zone grows ahead of damage; an automatic zone then starts small, "
-                    "around the entry point"),
-       with_default("Growth", choice({"corridor", "plate"}), "corridor",
-                    "How far an adaptive zone may grow: as wide as the corridor of the impact and "
-                    "no further "
-                    "than a little ahead of the projectile, or in the whole plate after every "
-                    "crack, which is "
-                    "dear"),
-       with_default("Conversion stretch", quantity(Dimension::number, Limit::fraction), "0.5",
-                    "Stretch of a bond near the interface, in critical stretches, at which an "
-                    "adaptive zone grows; a fixed one is reported as reached"),
-       with_default("Method", choice(coupling_method_names()), "calibrated energy blend",
-                    "What ties points and elements together"),
-       with_default("Blend function", choice({"linear", "cubic"}), "cubic",
-                    "Fall of the weight over the blend; of the energy and force blends only"),
-       with_default("Blend width", quantity(Dimension::number, Limit::positive), "2",
-                    "Width of the blend in horizons; of the energy and force blends only"),
-       with_default("Mass correction", flag(), "true",
-                    "Whether the elements next to the zone get their consistent mass, to first "
-                    "order: waves pass the interface better"),
-       with_default(
-           "Element size", choice({"1", "2", "4"}), "2",
-           "Edge of the elements next to the zone, in grid spacings; 1 halves the time step, 4 "
-           "keeps out waves of four horizons and less"),
-       with_default("Coarsening levels", choice({"automatic", "0", "1", "2"}), "automatic",
-                    "How often the elements double their size away from the zone; automatic: as "
-                    "often as the number of points allows, up to 8 grid spacings"),
-       with_default("Quadrature", choice({"one point", "full"}), "one point",
-                    "Integration of the far elements: one point with hourglass control, or 2 x 2 x "
-                    "2 points"),
-       with_default("Hourglass coefficient", quantity(Dimension::number, Limit::not_negative), "1",
-                    "Stiffness of the hourglass modes; 1 gives pure bending its exact energy")},
+      joined(
+          {with_default("Zone", choice({"everything", "automatic", "boxes", "none"}), "everything",
+                        "Part of the plates that is peridynamic: everything, the corridor that the "
+                        "impact will damage, the boxes given with the plates, or none (elastic "
+                        "finite elements alone)"),
+           with_default("Adaptive", flag(), "false",
+                        "Whether the zone grows ahead of damage; an automatic zone then starts "
+                        "small, around the entry point"),
+           with_default("Growth", choice({"corridor", "plate"}), "corridor",
+                        "How far an adaptive zone may grow: as wide as the corridor of the impact "
+                        "and no further than a little ahead of the projectile, or in the whole "
+                        "plate after every crack, which is dear"),
+           with_default("Conversion stretch", quantity(Dimension::number, Limit::fraction), "0.5",
+                        "Stretch of a bond near the interface, in critical stretches, at which an "
+                        "adaptive zone grows; a fixed one is reported as reached"),
+           with_default("Coarsening levels", choice({"automatic", "0", "1", "2"}), "automatic",
+                        "How often the elements double their size away from the zone; automatic: "
+                        "as often as the number of points allows, up to 8 grid spacings")},
+          interface_entries()),
       {}};
 }
 
@@ -284,55 +299,42 @@ SectionDeclaration stability()
   return {
       "Stability",
       "A stability experiment instead of an impact: a block of points in a box of elements, "
-      "released "
-      "from noise and left alone.",
-      {with_default("Method", choice(coupling_method_names()), "calibrated energy blend",
-                    "What ties points and elements together"),
-       with_default("Blend function", choice({"linear", "cubic"}), "cubic",
-                    "Fall of the weight over the blend; of the energy and force blends only"),
-       with_default("Blend width", quantity(Dimension::number, Limit::positive), "2",
-                    "Width of the blend in horizons; of the energy and force blends only"),
-       with_default("Mass correction", flag(), "true",
-                    "Whether the elements next to the zone get their consistent mass, to first "
-                    "order"),
-       with_default("Element size", choice({"1", "2", "4"}), "2",
-                    "Edge of the elements next to the zone, in grid spacings"),
-       with_default("Calibration tolerance", quantity(Dimension::number, Limit::positive), "0.0002",
-                    "Largest nodal force left under a unit strain, in units of M h^2"),
-       with_default("Calibration iterations", quantity(Dimension::number, Limit::not_negative),
-                    "300", "Steps of conjugate gradients, at most"),
-       with_default("Clipping", flag(), "true",
-                    "Whether negative eigenvalues of calibrated tensors are raised to zero"),
-       with_default("Quadrature", choice({"one point", "full"}), "one point",
-                    "Integration of the elements: one point with hourglass control, or 2 x 2 x 2 "
-                    "points"),
-       with_default("Hourglass coefficient", quantity(Dimension::number, Limit::not_negative), "1",
-                    "Stiffness of the hourglass modes; 0 switches the control off"),
-       with_default("Grid spacing", quantity(Dimension::length, Limit::positive), "1 mm",
-                    "Distance between neighbouring points"),
-       with_default("Horizon ratio", quantity(Dimension::number, Limit::positive), "3",
-                    "Horizon in grid spacings, at least 2"),
-       with_default("Influence function", choice(influence_function_names()), "cone",
-                    "Weight of a bond over its length"),
-       with_default("Density", quantity(Dimension::density, Limit::positive), "1190 kg/m3",
-                    "Mass per volume"),
-       with_default("Young's modulus", quantity(Dimension::stress, Limit::positive), "6 GPa",
-                    "Young's modulus"),
-       with_default("Poisson's ratio", quantity(Dimension::number, Limit::any), "0.35",
-                    "Poisson's ratio between -1 and 0.5"),
-       with_default("Zone half-width", quantity(Dimension::number, Limit::positive), "4",
-                    "Half the edge of the block of free points, in spacings"),
-       with_default("Margin", quantity(Dimension::number, Limit::positive), "4",
-                    "Elements around all points, in spacings"),
-       with_default("Limit", choice({"measured", "predicted"}), "measured",
-                    "Largest stable step: measured by power iteration of the body, or predicted "
-                    "from plane waves in lattice and elements"),
-       with_default("Time step", quantity(Dimension::number, Limit::positive), "0.9",
-                    "Time step in units of the limit"),
-       with_default("Steps", quantity(Dimension::number, Limit::positive), "2000",
-                    "Number of time steps"),
-       with_default("Jitter", quantity(Dimension::number, Limit::not_negative), "0",
-                    "Random displacement of all points and nodes at the start, in spacings")},
+      "released from noise and left alone.",
+      joined(
+          interface_entries(),
+          {with_default("Calibration tolerance", quantity(Dimension::number, Limit::positive),
+                        "0.0002",
+                        "Largest nodal force left under a unit strain, in units of M h^2"),
+           with_default("Calibration iterations", quantity(Dimension::number, Limit::not_negative),
+                        "300", "Steps of conjugate gradients, at most"),
+           with_default("Clipping", flag(), "true",
+                        "Whether negative eigenvalues of calibrated tensors are raised to zero"),
+           with_default("Grid spacing", quantity(Dimension::length, Limit::positive), "1 mm",
+                        "Distance between neighbouring points"),
+           with_default("Horizon ratio", quantity(Dimension::number, Limit::positive), "3",
+                        "Horizon in grid spacings, at least 2"),
+           with_default("Influence function", choice(influence_function_names()), "cone",
+                        "Weight of a bond over its length"),
+           with_default("Density", quantity(Dimension::density, Limit::positive), "1190 kg/m3",
+                        "Mass per volume"),
+           with_default("Young's modulus", quantity(Dimension::stress, Limit::positive), "6 GPa",
+                        "Young's modulus"),
+           with_default("Poisson's ratio", quantity(Dimension::number, Limit::any), "0.35",
+                        "Poisson's ratio between -1 and 0.5"),
+           with_default("Zone half-width", quantity(Dimension::number, Limit::positive), "4",
+                        "Half the edge of the block of free points, in spacings"),
+           with_default("Margin", quantity(Dimension::number, Limit::positive), "4",
+                        "Elements around all points, in spacings"),
+           with_default(
+               "Limit", choice({"measured", "predicted"}), "measured",
+               "Largest stable step: measured by power iteration of the body, or predicted "
+               "from plane waves in lattice and elements"),
+           with_default("Time step", quantity(Dimension::number, Limit::positive), "0.9",
+                        "Time step in units of the limit"),
+           with_default("Steps", quantity(Dimension::number, Limit::positive), "2000",
+                        "Number of time steps"),
+           with_default("Jitter", quantity(Dimension::number, Limit::not_negative), "0",
+                        "Random displacement of all points and nodes at the start, in spacings")}),
       {}};
 }
 

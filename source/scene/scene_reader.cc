@@ -4,6 +4,7 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
 #include "ricochet/materials/bond_laws.h"
+#include "ricochet/scene/coupling_reader.h"
 #include "ricochet/scene/mesh_file.h"
 #include "ricochet/scene/parameter_writer.h"
 #include "ricochet/scene/parameters.h"
@@ -435,31 +436,21 @@ ZoneParameters read_zone(const Parameters &parameters)
                                               {"automatic", ZoneKind::automatic},
                                               {"boxes", ZoneKind::boxes},
                                               {"none", ZoneKind::none}};
-  zone.kind               = kinds.at(parameters.text(in, "Zone"));
-  zone.adaptive           = parameters.flag(in, "Adaptive");
-  zone.grows_everywhere   = zone.adaptive && parameters.text(in, "Growth") == "plate";
-  zone.conversion_stretch = parameters.quantity(in, "Conversion stretch");
-  for (const auto &method : coupling_methods)
-    if (method.name == parameters.text(in, "Method"))
-      zone.coupling.method = method.method;
-  zone.coupling.blend = parameters.text(in, "Blend function") == "linear" ? BlendFunction::linear
-                                                                          : BlendFunction::cubic;
-  zone.coupling.blend_width     = parameters.quantity(in, "Blend width");
-  zone.coupling.correct_mass    = parameters.flag(in, "Mass correction");
-  zone.coupling.points_per_edge = std::stoi(parameters.text(in, "Element size"));
-  const std::string levels      = parameters.text(in, "Coarsening levels");
-  zone.coarsening_levels        = levels == "automatic" ? -1 : std::stoi(levels);
-  zone.full_quadrature          = parameters.text(in, "Quadrature") == "full";
-  zone.hourglass_coefficient    = parameters.quantity(in, "Hourglass coefficient");
+  zone.kind                  = kinds.at(parameters.text(in, "Zone"));
+  zone.adaptive              = parameters.flag(in, "Adaptive");
+  zone.grows_everywhere      = zone.adaptive && parameters.text(in, "Growth") == "plate";
+  zone.conversion_stretch    = parameters.quantity(in, "Conversion stretch");
+  zone.coupling              = read_coupling(parameters, in);
+  const std::string levels   = parameters.text(in, "Coarsening levels");
+  zone.coarsening_levels     = levels == "automatic" ? -1 : std::stoi(levels);
+  zone.full_quadrature       = parameters.text(in, "Quadrature") == "full";
+  zone.hourglass_coefficient = parameters.quantity(in, "Hourglass coefficient");
 
   if (zone.adaptive && (zone.kind == ZoneKind::everything || zone.kind == ZoneKind::none))
     parameters.fail(in, "Adaptive",
                     "There is no zone that could grow: the zone is '" +
                         parameters.text(in, "Zone") + "'.",
                     "Choose 'set Zone = automatic' or 'boxes', or 'set Adaptive = false'.");
-  if (zone.coupling.blend_width > 10.)
-    parameters.fail(in, "Blend width", "The blend may be at most 10 horizons wide.",
-                    "Choose a smaller number; 2 is usual.");
   return zone;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/stability_reader.h"
 
+#include "ricochet/scene/coupling_reader.h"
 #include "ricochet/scene/parameters.h"
 #include "ricochet/scene/text_tools.h"
 
@@ -46,16 +47,10 @@ StabilityParameters read_stability(const ParameterFile &file)
   const auto number = [&](const std::string &name) { return parameters.quantity(section, name); };
 
   StabilityParameters result;
-  result.title     = parameters.text("", "Title");
-  result.directory = parameters.text("Output", "Directory");
-  auto &coupling   = result.coupling;
-  for (const auto &method : coupling_methods)
-    if (method.name == parameters.text(section, "Method"))
-      coupling.method = method.method;
-  coupling.blend = parameters.text(section, "Blend function") == "linear" ? BlendFunction::linear
-                                                                          : BlendFunction::cubic;
-  coupling.blend_width           = number("Blend width");
-  coupling.correct_mass          = parameters.flag(section, "Mass correction");
+  result.title                   = parameters.text("", "Title");
+  result.directory               = parameters.text("Output", "Directory");
+  result.coupling                = read_coupling(parameters, section);
+  auto &coupling                 = result.coupling;
   coupling.calibration.clip      = parameters.flag(section, "Clipping");
   coupling.calibration.tolerance = number("Calibration tolerance");
   coupling.calibration.n_iterations =
@@ -68,10 +63,9 @@ StabilityParameters read_stability(const ParameterFile &file)
   for (const auto &function : influence_functions)
     if (function.name == parameters.text(section, "Influence function"))
       result.influence = function.function;
-  result.density           = number("Density");
-  result.youngs_modulus    = number("Young's modulus");
-  result.poisson_ratio     = number("Poisson's ratio");
-  coupling.points_per_edge = std::stoi(parameters.text(section, "Element size"));
+  result.density        = number("Density");
+  result.youngs_modulus = number("Young's modulus");
+  result.poisson_ratio  = number("Poisson's ratio");
   result.half_width = filled_length(parameters, "Zone half-width", coupling.points_per_edge, 40);
   result.margin     = filled_length(parameters, "Margin", coupling.points_per_edge, 40);
 
@@ -88,9 +82,6 @@ StabilityParameters read_stability(const ParameterFile &file)
   if (result.horizon_ratio < 2. || result.horizon_ratio > 8.)
     parameters.fail(section, "Horizon ratio", "The horizon has 2 to 8 spacings.",
                     "Choose such a number; 3 is usual.");
-  if (coupling.blend_width > 10.)
-    parameters.fail(section, "Blend width", "The blend may be at most 10 horizons wide.",
-                    "Choose a smaller number; 2 is usual.");
   if (result.n_steps < 100 || result.n_steps > 1000000)
     parameters.fail(section, "Steps", "Growth shows in 100 to 1000000 steps.",
                     "Choose such a number; 2000 is usual.");
