@@ -25,30 +25,14 @@ except ImportError as error:
     print(f"plot_accuracy.py: {error}; apt install python3-matplotlib", file=sys.stderr)
     sys.exit(3)
 
-# Colours of Okabe and Ito, distinguishable with every kind of colour vision; marks tell the scenes too. The first is the
-# reference's.
-STYLES = [("#000000", "s"), ("#0072B2", "o"), ("#D55E00", "D"), ("#009E73", "^"), ("#E69F00", "v"), ("#CC79A7", "P"),
-          ("#56B4E9", "X"), ("#777777", "*")]
+from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILION
+
+# Marks tell the scenes too. The first is the reference's.
+STYLES = [(BLACK, "s"), (BLUE, "o"), (VERMILION, "D"), (GREEN, "^"), (ORANGE, "v"), (PURPLE, "P"), (SKY, "X"), (GREY, "*")]
 BAND = "#E4E4E4"
 LEAST = 0.04  # errors below this are no matter of interest [%]
 WANTED = 2.0  # what a zone may add to the path of peridynamics throughout [%]
 SHARES = {1: "1", 1 / 2: "1/2", 1 / 3: "1/3", 1 / 5: "1/5", 1 / 10: "1/10", 1 / 20: "1/20", 1 / 50: "1/50", 1 / 100: "1/100"}
-
-STYLE = {
-    "font.family": "DejaVu Sans",
-    "font.size": 9,
-    "axes.titlesize": 9,
-    "axes.labelsize": 9,
-    "xtick.labelsize": 8,
-    "ytick.labelsize": 8,
-    "legend.fontsize": 8,
-    "axes.linewidth": 0.7,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "lines.linewidth": 1.4,
-    "legend.frameon": False,
-    "savefig.dpi": 200,
-}
 
 
 def number(row, name):

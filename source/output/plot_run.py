@@ -27,33 +27,12 @@ except ImportError as error:
     print(f"plot_run.py: {error}; apt install python3-matplotlib python3-h5py", file=sys.stderr)
     sys.exit(3)
 
-# Colours of Okabe and Ito, distinguishable with every kind of colour vision.
-BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
-BLUE, VERMILION, PURPLE, GREY = "#0072B2", "#D55E00", "#CC79A7", "#777777"
+from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILION
+
 STEEL, STEEL_EDGE = "#8795A3", "#2F3840"
 
 # From sound to broken the lightness falls evenly, so that the map reads in grey as well.
 DAMAGE = LinearSegmentedColormap.from_list("damage", ["#EADFC8", "#F0B860", "#D9622B", "#8E1B3C", "#2A0A2C"])
-
-STYLE = {
-    "font.family": "DejaVu Sans",
-    "font.size": 9,
-    "axes.titlesize": 9,
-    "axes.labelsize": 9,
-    "xtick.labelsize": 8,
-    "ytick.labelsize": 8,
-    "legend.fontsize": 8,
-    "axes.linewidth": 0.7,
-    "xtick.major.width": 0.7,
-    "ytick.major.width": 0.7,
-    "xtick.direction": "out",
-    "ytick.direction": "out",
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "lines.linewidth": 1.4,
-    "legend.frameon": False,
-    "savefig.dpi": 200,
-}
 
 
 class History:

@@ -21,28 +21,11 @@ except ImportError as error:
     print(f"plot_search.py: {error}; apt install python3-matplotlib", file=sys.stderr)
     sys.exit(3)
 
-# Colours of Okabe and Ito, distinguishable with every kind of colour vision; marks tell the methods too.
-METHODS = {
-    "brute force": ("#000000", "s"),
-    "kd-tree": ("#E69F00", "^"),
-    "hybrid": ("#D55E00", "D"),
-    "linked cells": ("#0072B2", "o"),
-}
-OTHER = ("#777777", "v")
+from plot_style import BLACK, BLUE, GREY, ORANGE, STYLE, VERMILION
 
-STYLE = {
-    "font.family": "DejaVu Sans",
-    "font.size": 9,
-    "axes.labelsize": 9,
-    "axes.linewidth": 0.7,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "lines.linewidth": 1.4,
-    "lines.markersize": 4.5,
-    "legend.frameon": False,
-    "legend.fontsize": 8,
-    "savefig.dpi": 200,
-}
+# Marks tell the methods too.
+METHODS = {"brute force": (BLACK, "s"), "kd-tree": (ORANGE, "^"), "hybrid": (VERMILION, "D"), "linked cells": (BLUE, "o")}
+OTHER = (GREY, "v")
 
 
 def read_rows(path):
@@ -80,7 +63,7 @@ def main(arguments):
         arrangements = sorted({row["arrangement"] for row in rows}, reverse=True)
         if not rows:
             raise ValueError("no rows")
-        plt.rcParams.update(STYLE)
+        plt.rcParams.update({**STYLE, "lines.markersize": 4.5})
         figure, panels = plt.subplots(1, len(arrangements), figsize=(4.2 * len(arrangements) + 0.4, 3.6), sharey=True,
                                       squeeze=False, layout="constrained")
         for axes, arrangement in zip(panels[0], arrangements):

@@ -14,10 +14,11 @@ import os
 import sys
 
 import plot_run
-from plot_run import BLACK, GREY, plt
+from plot_run import plt
+from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILION
 
-# Colours of Okabe and Ito, distinguishable with every kind of colour vision; dashes tell the cases too.
-COLORS = [plot_run.BLUE, plot_run.VERMILION, plot_run.GREEN, plot_run.ORANGE, plot_run.PURPLE, plot_run.SKY, BLACK, GREY]
+# Dashes tell the cases too.
+COLORS = [BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK, GREY]
 DASHES = ["-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (3, 1)), (0, (1, 1))]
 MOST = len(COLORS)
 
@@ -172,7 +173,7 @@ def main(arguments):
         print(__doc__.strip())
         return 0 if len(arguments) == 2 else 2
     directory = arguments[1]
-    plt.rcParams.update(plot_run.STYLE)
+    plt.rcParams.update(STYLE)
     try:
         target = draw(directory)
     except (OSError, ValueError, KeyError) as error:
