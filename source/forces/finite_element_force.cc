@@ -502,10 +502,14 @@ void FiniteElementForce::advance(const double kick, const double drift)
     spread_momentum_[i] += kick * spread_force_[i];
   for (const auto &dashpot : dashpots_)
   {
-    auto &f        = force_[dashpot.entry];
-    f              = damped_force(dashpot, kick);
+    auto &f               = force_[dashpot.entry];
+    const double undamped = f;
+    f                     = damped_force(dashpot, kick);
     const double v = velocity_[dashpot.entry] + 0.5 * kick * f * inverse_mass_[dashpot.entry];
+    const Vector3 impulse = kick * (undamped - f) * Vector3::Unit(dashpot.entry % 3);
     absorbed_ += kick * dashpot.coefficient * v * v;
+    carried_off_.linear += impulse;
+    carried_off_.angular += at(position_, dashpot.entry / 3).cross(impulse);
   }
   kernel_->advance(position_.data(), velocity_.data(), force_.data(), inverse_mass_.data(),
                    static_cast<int64_t>(inverse_mass_.size()), kick, drift);
@@ -566,7 +570,8 @@ FiniteElementForce::Momenta FiniteElementForce::momenta() const
 {
   // Sums of many numbers, compared to the last bit by those who look for a drift.
   using LongVector = Eigen::Matrix<long double, 3, 1>;
-  std::array<LongVector, 2> sums{LongVector::Zero(), LongVector::Zero()};
+  std::array<LongVector, 2> sums{carried_off_.linear.cast<long double>(),
+                                 carried_off_.angular.cast<long double>()};
   const auto add = [&](const int node, const Vector3 &linear)
   {
     sums[0] += linear.cast<long double>();

@@ -59,7 +59,8 @@ public:
       }
     }
     const auto &mesh       = body_.mesh();
-    const double amplitude = 1e-9;
+    // Smaller ones drown in the rounding of positions, larger ones are not linear any more.
+    const double amplitude = 1e-7;
     body_.position()       = mesh.reference();
     for (int node = 0; node < mesh.n_owned_nodes(); ++node)
     {
@@ -117,8 +118,7 @@ TEST(V25Dashpot, ReflectsWhatTheListSays)
     EXPECT_NEAR(row.reflection(ratios[i] * h, 0.9), at_09[i], 0.2 * at_09[i]) << ratios[i];
     EXPECT_NEAR(row.reflection(ratios[i] * h, 0.5), at_05[i], 0.2 * at_05[i]) << ratios[i];
   }
-  // Strains of some 1e-6 are finite, so that the sum of energies is not quadratic.
-  EXPECT_LE(row.balance, 1e-5) << "absorbed energy is not booked";
+  EXPECT_LE(row.balance, 1e-6) << "absorbed energy is not booked";
 }
 
 TEST(V25Dashpot, ReflectsShearWavesByTheSameFormula)
@@ -133,6 +133,39 @@ TEST(V25Dashpot, ReflectsShearWavesByTheSameFormula)
     const double R  = std::abs(std::sin(kh) - S) / (std::sin(kh) + S);
     EXPECT_NEAR(row.reflection(ratio * h, courant), R, 0.1 * R) << ratio;
   }
+}
+
+TEST(NonReflectingEdges, MomentumThatLeavesIsBooked)
+{
+  // A block flies and turns; dashpots on two of its faces stop it.
+  FiniteElementForce block(MPI_COMM_SELF, {Vector3::Zero(), h, {6, 5, 4}, false, {}}, material());
+  block.absorb_at({false, true, true, false, false, false});
+  for (int node = 0; node < block.mesh().n_owned_nodes(); ++node)
+  {
+    const Vector3 v =
+        Vector3(3., -2., 1.) + Vector3(10., 20., -30.).cross(block.mesh().reference_position(node));
+    for (int d = 0; d < 3; ++d)
+      block.velocity()[3 * node + d] = v[d];
+  }
+  const auto kinetic = [&]
+  {
+    double sum = 0.;
+    for (int i = 0; i < 3 * block.mesh().n_owned_nodes(); ++i)
+      sum += 0.5 * block.mass(i / 3) * block.velocity()[i] * block.velocity()[i];
+    return sum;
+  };
+  const auto before  = block.momenta();
+  const double start = kinetic(), dt = 0.5 * h / c_p;
+  for (int step = 0; step < 200; ++step)
+  {
+    block.update_ghosts();
+    block.evaluate(/*energy=*/false);
+    block.advance(dt, dt);
+  }
+  EXPECT_LT(kinetic(), 0.1 * start) << "nothing has left";
+  const auto after = block.momenta();
+  EXPECT_LT((after.linear - before.linear).norm(), 1e-13 * before.linear.norm());
+  EXPECT_LT((after.angular - before.angular).norm(), 1e-12 * before.angular.norm());
 }
 
 TEST(NonReflectingEdges, ZoneMustNotReachThem)

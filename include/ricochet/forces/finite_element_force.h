@@ -147,7 +147,8 @@ public:
   /// m v- . v+, which the leapfrog scheme conserves together with the others in a linear system.
   /// After evaluate(true), before advance(). Collective; ranks change it by rounding only.
   Energies energies(double dt) const;
-  /// Of the half step before the present time. Collective; likewise.
+  /// Of the half step before the present time, and of what dashpots have carried off. Collective;
+  /// likewise.
   Momenta momenta() const;
   /// Lumped mass of all nodes [kg]. Collective.
   double total_mass() const;
@@ -236,8 +237,9 @@ private:
   std::vector<char> active_;
   std::vector<double> position_, velocity_, force_;
   std::vector<Dashpot> dashpots_;
-  double absorbed_     = 0.;      // by them, up to the step before [J]
-  bool spreads_mass_   = false;   // the same on all ranks
+  double absorbed_ = 0.;                                  // by them, up to the step before [J]
+  Momenta carried_off_{Vector3::Zero(), Vector3::Zero()}; // by them, at this rank's nodes
+  bool spreads_mass_   = false;                           // the same on all ranks
   double spread_share_ = 0.;      // of an edge's mass that an end has of itself [-]
   std::vector<int> spread_;       // elements of consistent mass
   std::vector<int> spread_nodes_; // owned nodes among their corners
