@@ -152,6 +152,80 @@ std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &pla
   return n;
 }
 
+namespace
+{
+/// The cells of one plate that choices of a zone mean.
+class ZoneCells
+{
+public:
+  ZoneCells(const Scene &scene, const Lattice::Box &box) :
+    scene_(scene), box_(box), edge_(scene.zone.coupling.points_per_edge)
+  {
+  }
+
+  /// A choice is no sharp limit: the nearest cells will do.
+  Zone::Cells of(const ZoneChoice &choice) const
+  {
+    const double cell  = edge_ * box_.spacing;
+    const auto nearest = [&](const double x, const int d)
+    { return box_.corner[d] + cell * std::round((x - box_.corner[d]) / cell); };
+    return columns(box_, edge_, nearest(choice.x_low, 0), nearest(choice.x_high, 0),
+                   nearest(choice.y_low, 1), nearest(choice.y_high, 1));
+  }
+
+  /// Boxes that were asked for are filled.
+  std::vector<Zone::Cells> boxes_of(const PlateParameters &plate) const
+  {
+    std::vector<Zone::Cells> cells;
+    if (scene_.zone.kind == ZoneKind::boxes)
+      for (const auto &b : plate.zone_boxes)
+        cells.push_back(columns(box_, edge_, b[0], b[1], b[2], b[3]));
+    return cells;
+  }
+
+  /// The corridor, or all that a growing zone may become.
+  Zone::Cells widest(const ImpactGeometry &impact) const
+  {
+    const auto corridor = of(corridor_zone(impact));
+    return scene_.zone.adaptive ? hull({corridor, of(growth_limit(impact))}) : corridor;
+  }
+
+  /// Where a plate must be ready to be touched: in a stack, wherever any plate has points or may
+  /// get some, those around its zone included. What lay in the other plate before it could be
+  /// touched would be thrown out of it.
+  Zone::Cells touchable() const
+  {
+    Zone::Cells all{};
+    double depth = 0.;
+    for (const auto &plate : scene_.plates)
+    {
+      depth += &plate == &scene_.plates.front() ? 0. : plate.gap;
+      const Stencil stencil =
+          make_stencil(plate.spacing, plate.horizon_ratio, plate.influence_function);
+      auto cells = hull({widest(impact_on(scene_, depth, plate.thickness, stencil.horizon)),
+                         hull(boxes_of(plate))});
+      // Pad and halo of that plate, in cells of this one.
+      const double layers =
+          make_zone({1, 1, 1}, stencil, scene_.zone.coupling).slaved_layers() * plate.spacing;
+      const int margin = static_cast<int>(std::ceil(layers / box_.spacing - 1e-9));
+      for (int d = 0; d < 2; ++d)
+      {
+        cells.low[d] -= margin;
+        cells.high[d] += margin;
+      }
+      all = hull({all, cells});
+      depth += plate.thickness;
+    }
+    return all;
+  }
+
+private:
+  const Scene &scene_;
+  const Lattice::Box &box_;
+  int edge_;
+};
+} // namespace
+
 PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lattice::Box &box,
                      const Stencil &stencil)
 {
@@ -172,30 +246,19 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
 
   const auto impact =
       impact_on(scene, -(box.corner.z() + n[2] * box.spacing), n[2] * box.spacing, stencil.horizon);
-  // A choice is no sharp limit: the nearest cells will do, while boxes that were asked for are
-  // filled.
-  const auto as_cells = [&](const ZoneChoice &choice)
-  {
-    const double cell  = edge * box.spacing;
-    const auto nearest = [&](const double x, const int d)
-    { return box.corner[d] + cell * std::round((x - box.corner[d]) / cell); };
-    return columns(box, edge, nearest(choice.x_low, 0), nearest(choice.x_high, 0),
-                   nearest(choice.y_low, 1), nearest(choice.y_high, 1));
-  };
-  std::vector<Zone::Cells> boxes;
+  const ZoneCells cells(scene, box);
+  auto boxes = cells.boxes_of(plate);
   switch (scene.zone.kind)
   {
     case ZoneKind::automatic:
     {
       const auto choice = scene.zone.adaptive ? entry_zone(impact) : corridor_zone(impact);
       result.reason     = "automatic: " + choice.reason;
-      boxes             = {as_cells(choice)};
+      boxes             = {cells.of(choice)};
       break;
     }
     case ZoneKind::boxes:
       result.reason = "boxes";
-      for (const auto &b : plate.zone_boxes)
-        boxes.push_back(columns(box, edge, b[0], b[1], b[2], b[3]));
       break;
     default:
       result.reason = "none: elastic finite elements";
@@ -205,49 +268,21 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
   if (plate.absorbing_edges)
     check_edges(*result.zone, box.mirror_y);
 
-  // A zone that grows needs fine elements wherever it may get to, and so do contact points: where
-  // the projectile and debris may be.
-  const auto widest = [&](const ImpactGeometry &geometry)
-  {
-    const auto corridor = as_cells(corridor_zone(geometry));
-    return scene.zone.adaptive ? hull({corridor, as_cells(growth_limit(geometry))}) : corridor;
-  };
-  auto &fine = result.options.fine_region;
-  fine       = hull({widest(impact), hull(boxes)});
+  Zone::Cells limit = hull(boxes);
   if (scene.zone.adaptive && scene.zone.grows_everywhere)
-    fine = {{0, 0, 0}, result.zone->n_cells()};
+    limit = {{0, 0, 0}, result.zone->n_cells()};
   else if (scene.zone.adaptive)
+  {
+    limit               = hull({limit, cells.widest(impact)});
     result.growth_ahead = growth_ahead(impact);
-  auto limit = scene.zone.adaptive ? fine : hull(boxes);
+  }
   if (plate.absorbing_edges && scene.zone.adaptive)
     limit = off_the_edges(limit, *result.zone, box.mirror_y);
   result.zone->set_limit(limit);
 
-  // In a stack, wherever any plate has points or may get some, those around its zone included: what
-  // lay in the other plate before it could be touched would be thrown out of it.
-  double depth = 0.;
-  for (const auto &other : scene.plates)
-  {
-    depth += &other == &scene.plates.front() ? 0. : other.gap;
-    const Stencil around =
-        make_stencil(other.spacing, other.horizon_ratio, other.influence_function);
-    auto cells = widest(impact_on(scene, depth, other.thickness, around.horizon));
-    if (scene.zone.kind == ZoneKind::boxes)
-      for (const auto &b : other.zone_boxes)
-        cells = hull({cells, columns(box, edge, b[0], b[1], b[2], b[3])});
-    // Pad and halo of the other plate, in cells of this one.
-    const double layers =
-        make_zone({1, 1, 1}, around, scene.zone.coupling).slaved_layers() * other.spacing;
-    const int margin = static_cast<int>(std::ceil(layers / box.spacing - 1e-9));
-    for (int d = 0; d < 2; ++d)
-    {
-      cells.low[d] -= margin;
-      cells.high[d] += margin;
-    }
-    fine = hull({fine, cells});
-    depth += other.thickness;
-  }
-  result.zone->set_contact_region({fine});
+  // Points need fine elements wherever they are or may get to, those for contact too.
+  result.options.fine_region = hull({limit, cells.touchable()});
+  result.zone->set_contact_region({result.options.fine_region});
   return result;
 }
 } // namespace ricochet

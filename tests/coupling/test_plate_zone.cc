@@ -240,10 +240,10 @@ TEST(PlateZone, PlatesOfAStackCanBeTouchedWhereverAnyOfThemMayHavePoints)
           for (int j = one.zone->limit().low[1] - one.zone->slaved_layers();
                j < one.zone->limit().high[1] + one.zone->slaved_layers(); ++j)
             for (const int k : {0, n[2] - 1})
-              if (other.zone->contains({i, j, k}))
-                EXPECT_TRUE(other.zone->layer({i, j, k}) < other.zone->far() ||
-                            other.zone->has_contact({i, j, k}))
-                    << i << ' ' << j << ' ' << k;
+              EXPECT_TRUE(!other.zone->contains({i, j, k}) ||
+                          other.zone->layer({i, j, k}) < other.zone->far() ||
+                          other.zone->has_contact({i, j, k}))
+                  << i << ' ' << j << ' ' << k;
   }
 }
 
