@@ -33,6 +33,12 @@ namespace
 {
 using namespace units;
 
+/// Of a time [s]; negative: never.
+nlohmann::ordered_json in_us_or_null(const double time)
+{
+  return time >= 0. ? nlohmann::ordered_json(time / us) : nullptr;
+}
+
 const std::vector<History::Column> history_columns{{"time", "us"},
                                                    {"x", "mm"},
                                                    {"y", "mm"},
@@ -144,7 +150,7 @@ private:
                                              (last || simulation_.time() >= next_frame_));
       simulation_.evaluate(record_due);
       watch_.update();
-      warn_about_penetration();
+      warn_about_contact();
       if (record_due)
         record();
       if (frame_due)
@@ -280,19 +286,31 @@ private:
          simulation_.projectile().pitch() / deg, broken_bonds_, residual(), bond_rate()});
   }
 
-  void warn_about_penetration()
+  /// Each warning once.
+  void warn_about_contact()
   {
-    deepest_ = std::max(deepest_, simulation_.reaction().deepest);
-    if (warned_ || deepest_ <= 0.5)
-      return;
-    warned_ = true;
-    if (rank_in(communicator_) == 0)
+    const auto &reaction  = simulation_.reaction();
+    const double deepest  = std::max(deepest_, reaction.deepest);
+    const bool speaks     = rank_in(communicator_) == 0;
+    constexpr double deep = 0.5;
+    if (speaks && deepest > deep && deepest_ <= deep)
       std::fprintf(
           stderr,
           "\nwarning: at %.2f us points lie %.2f spacings deep in the projectile, more than half a "
           "spacing: contact is too "
           "soft for this impact. Raise 'Contact/Stiffness factor' or lower 'Time/Safety factor'.\n",
-          simulation_.time() / us, deepest_);
+          simulation_.time() / us, deepest);
+    deepest_ = deepest;
+    if (!reaction.on_elements || on_elements_ >= 0.)
+      return;
+    on_elements_ = simulation_.time();
+    if (speaks)
+      std::fprintf(
+          stderr,
+          "\nwarning: at %.2f us the projectile, at x = %.0f mm, touches finite elements, which do "
+          "not break: the peridynamic zone ends too early, and what follows is not to be trusted. "
+          "Set 'Coupling/Adaptive = true', or enlarge the zone.\n",
+          on_elements_ / us, simulation_.projectile().motion().position.x() / mm);
   }
 
   /// What the elements carried and how well they were tied to the points, per plate.
@@ -309,15 +327,14 @@ private:
                                  : 1.;
       if (far)
       {
-        const auto &watch      = *simulation_.zone_watches()[i];
-        z["elements"]          = far->elements().mesh().n_global_elements();
-        z["slaved_cells"]      = far->zone().n_slaved_cells();
-        z["ghost_force"]       = far->calibration().ghost_after;
-        z["conversions"]       = watch.n_conversions();
-        z["redistributions"]   = watch.n_redistributions();
-        z["conversion_loss_J"] = watch.loss() * (scene_.symmetric ? 2. : 1.);
-        z["interface_reached_us"] =
-            watch.reached() >= 0. ? nlohmann::ordered_json(watch.reached() / us) : nullptr;
+        const auto &watch         = *simulation_.zone_watches()[i];
+        z["elements"]             = far->elements().mesh().n_global_elements();
+        z["slaved_cells"]         = far->zone().n_slaved_cells();
+        z["ghost_force"]          = far->calibration().ghost_after;
+        z["conversions"]          = watch.n_conversions();
+        z["redistributions"]      = watch.n_redistributions();
+        z["conversion_loss_J"]    = watch.loss() * (scene_.symmetric ? 2. : 1.);
+        z["interface_reached_us"] = in_us_or_null(watch.reached());
       }
       for (const auto &report : interfaces_)
         if (report.plate == i)
@@ -380,6 +397,7 @@ private:
     s["momentum_drift"]         = drift(momenta.linear, start_momenta_.linear);
     s["angular_momentum_drift"] = drift(momenta.angular, start_momenta_.angular);
     s["deepest_penetration_dx"] = deepest_;
+    s["on_elements_us"]         = in_us_or_null(on_elements_);
     s["broken_bonds"]           = std::llround(broken_bonds_);
     s["damaged_boxes_mm"]       = damaged_boxes();
     s["zones"]                  = zones();
@@ -434,7 +452,8 @@ private:
   double next_record_ = 0., next_frame_ = 0.; // [s]
   nlohmann::ordered_json positions_ = nlohmann::ordered_json::array();
   double deepest_                   = 0.; // penetration [dx]
-  bool warned_ = false, interrupted_ = false;
+  double on_elements_ = -1.; // since when the projectile has touched some; negative: never [s]
+  bool interrupted_   = false;
   std::string stop_reason_;
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -220,7 +220,8 @@ void Simulation::evaluate(const bool energy)
                Vector3::Zero(),
                0.,
                0.,
-               0.};
+               0.,
+               false};
   projectile_->begin(energy);
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
@@ -242,6 +243,7 @@ void Simulation::evaluate(const bool energy)
     reaction_.friction_moment += part.friction_moment;
     reaction_.energy += part.energy;
     reaction_.n_touching += part.n_touching;
+    reaction_.on_elements = reaction_.on_elements || part.on_elements;
     reaction_.deepest =
         std::max(reaction_.deepest, part.deepest / plates_[i]->lattice().box().spacing);
   }

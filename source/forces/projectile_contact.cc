@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/forces/projectile_contact.h"
 
+#include <array>
 #include <cmath>
 
 namespace ricochet
@@ -22,7 +23,7 @@ ProjectileContact::Reaction ProjectileContact::evaluate(const RigidBody &project
   const double radius    = lattice.box().spacing / 2.;
   const auto [low, high] = projectile.bounding_box();
   const Vector3 first = low - Vector3::Constant(radius), last = high + Vector3::Constant(radius);
-  double deepest = 0.;
+  double deepest = 0., on_elements = 0.;
   sums_.clear();
   touches_.clear();
 
@@ -74,16 +75,20 @@ ProjectileContact::Reaction ProjectileContact::evaluate(const RigidBody &project
         sum[15] += 0.5 * pressure * depth;
         sum[16] += 1.;
         deepest = std::max(deepest, depth);
+        if (!lattice.free(p))
+          on_elements = 1.;
       });
 
   const auto sum = sums_.total(communicator_);
-  MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+  std::array<double, 2> largest{deepest, on_elements};
+  MPI_Allreduce(MPI_IN_PLACE, largest.data(), 2, MPI_DOUBLE, MPI_MAX, communicator_);
   const auto vector = [&](const int i)
   { return Vector3(multiplicity_ * Vector3(sum[i], sum[i + 1], sum[i + 2])); };
-  Reaction reaction{vector(0),  vector(3),
-                    vector(6),  vector(9),
-                    vector(12), multiplicity_ * sum[15],
-                    deepest,    multiplicity_ * sum[16]};
+  Reaction reaction{vector(0),      vector(3),
+                    vector(6),      vector(9),
+                    vector(12),     multiplicity_ * sum[15],
+                    largest[0],     multiplicity_ * sum[16],
+                    largest[1] > 0.};
   if (multiplicity_ == 2.)
   {
     for (Vector3 *force : {&reaction.normal, &reaction.friction, &reaction.shank})

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -88,7 +89,7 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
   deep_.clear();
   loads_.clear();
   touches_.clear();
-  deepest_ = 0.;
+  deepest_ = on_elements_ = 0.;
   lattice.for_each_owned(
       [&](const std::ptrdiff_t p)
       {
@@ -160,6 +161,8 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
         }
         loads_.push_back(load);
         deepest_ = std::max(deepest_, depth);
+        if (!lattice.free(p))
+          on_elements_ = 1.;
       });
 }
 
@@ -186,12 +189,14 @@ SurfaceContact::Reaction SurfaceContact::evaluate(const SurfaceNodes &body,
 {
   find_loads(body, surface, plate);
   const auto all = gather();
-  MPI_Allreduce(MPI_IN_PLACE, &deepest_, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+  std::array<double, 2> largest{deepest_, on_elements_};
+  MPI_Allreduce(MPI_IN_PLACE, largest.data(), 2, MPI_DOUBLE, MPI_MAX, communicator_);
 
   Reaction reaction{Vector3::Zero(), Vector3::Zero(),
                     Vector3::Zero(), Vector3::Zero(),
                     Vector3::Zero(), 0.,
-                    deepest_,        0.};
+                    largest[0],      0.,
+                    largest[1] > 0.};
   friction_.assign(body.force.size(), 0.);
   for (const auto &load : all)
   {

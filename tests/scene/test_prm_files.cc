@@ -93,11 +93,18 @@ TEST(PrmFiles, ViscoelasticBaseAddsRelaxationToTheSinglePlate)
                   relaxed_share(relaxing.materials[0].relaxation, 1e9),
               0.707e9, 1e6);
   EXPECT_EQ(relaxing.impact.speed, elastic.impact.speed);
-  // Calibrated anew, for both speeds alike.
-  const Scene fast =
-      read_scene(ParameterFile((prm_folder / "viscoelastic" / "speed_800.prm").string()));
-  EXPECT_GT(relaxing.materials[0].critical_stretch, elastic.materials[0].critical_stretch);
-  EXPECT_EQ(relaxing.materials[0].critical_stretch, fast.materials[0].critical_stretch);
+  // One set of constants for both speeds and for three plates.
+  for (const char *other : {"speed_800", "full", "full_calibre", "three_layers"})
+  {
+    const Scene scene = read_scene(
+        ParameterFile((prm_folder / "viscoelastic" / (std::string(other) + ".prm")).string()));
+    EXPECT_EQ(scene.materials[0].critical_stretch, relaxing.materials[0].critical_stretch) << other;
+    EXPECT_EQ(scene.materials[0].relaxation.size(), 2U) << other;
+    EXPECT_EQ(scene.contact.friction.kinetic_coefficient,
+              relaxing.contact.friction.kinetic_coefficient)
+        << other;
+    EXPECT_EQ(scene.contact.friction.decay, relaxing.contact.friction.decay) << other;
+  }
 }
 
 TEST(PrmFiles, SinglePlateStudyHasAllCasesOnTwoGrids)

@@ -37,6 +37,7 @@ public:
     double energy;                   // stored in the penalty springs [J]
     double deepest;    // penetration of a point's centre below the surface plus dx/2 [m]
     double n_touching; // points
+    bool on_elements;  // some of them follow finite elements, which do not break
 
     Vector3 force() const { return normal + friction + shank; }
   };

@@ -87,6 +87,6 @@ private:
   std::vector<std::ptrdiff_t> deep_; // points that may leave the reach of the surface inwards
   std::vector<double> friction_;
   PlaneSums<1> work_;
-  double deepest_ = 0.;
+  double deepest_ = 0., on_elements_ = 0.;
 };
 } // namespace ricochet
