@@ -156,6 +156,7 @@ template <class Law>
 constexpr LatticeKernel kernel_of()
 {
   return {Simd::name,
+          block_size / lanes,
           &stretch<Law>,
           &force<Law, false, false>,
           &force<Law, true, false>,
