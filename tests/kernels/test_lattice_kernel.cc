@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bitset>
 #include <map>
 
 namespace ricochet::tests
@@ -197,6 +198,31 @@ TEST(LatticeKernelTable, UnknownInstructionSetHasNoKernel)
   ASSERT_NE(lattice_kernel(0, "baseline"), nullptr);
   ASSERT_NE(lattice_kernel(0), nullptr);
   EXPECT_STREQ(lattice_kernel(0, "baseline")->instruction_set, "baseline");
+}
+
+TEST(LatticeKernelTable, LogHasRoomForAllBondsThatBreakInOneStep)
+{
+  for (const char *set_name : {"baseline", "avx2", "avx512"})
+  {
+    if (lattice_kernel(0, set_name) == nullptr)
+      continue;
+    BodySample sample;
+    sample.n                = {16, 16, 16};
+    sample.critical_stretch = 0.01;
+    sample.instruction_set  = set_name;
+    const auto body         = make_body(sample);
+    for_each_point(*body,
+                   [&](const std::ptrdiff_t p)
+                   { set(body->state().arrays.position, p, 2. * reference(*body, p)); });
+    body->update_ghosts();
+    body->evaluate(/*breaking=*/true, /*energy=*/false);
+    ASSERT_LE(body->n_broken_entries(), body->broken().size()) << set_name;
+    double n_broken = 0.;
+    for (std::size_t i = 0; i < body->n_broken_entries(); ++i)
+      n_broken += static_cast<double>(std::bitset<8>(body->broken()[i].points).count());
+    EXPECT_EQ(n_broken, body->count_sound_bonds()) << set_name;
+    EXPECT_EQ(body->count_bonds(), 0.) << set_name;
+  }
 }
 
 TEST(LatticeKernelTable, AdvanceKicksAndDriftsOwnedPointsOnly)
