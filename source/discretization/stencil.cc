@@ -58,16 +58,18 @@ FamilyConstants family_constants(const Stencil &stencil, const double bulk_modul
 double fracture_energy_per_squared_stretch(const Stencil &stencil, const BondLaw &law,
                                            const double bulk_modulus, const double shear_modulus)
 {
-  // At the stretch 1 in a medium dilated by theta = 3 a bond holds half its tension times its
-  // length. An offset (x, y, z) crosses a plane normal to an axis as often per dx^2 as its
-  // component along that axis; the mean over the axes is taken, they are equal for a full stencil.
+  // A crack opens the medium normal to its plane, so theta is the stretch 1, and not three times it
+  // as under uniform dilation (tests/verification/test_crack_energy.cc measures it). A bond then
+  // holds half its tension times its length. An offset (x, y, z) crosses a plane normal to an axis
+  // as often per dx^2 as its component along that axis; the mean over the axes is taken, they are
+  // equal for a full stencil.
   const FamilyConstants family = family_constants(stencil, bulk_modulus, shear_modulus);
   double sum                   = 0.;
   for (const auto &o : stencil.offsets)
   {
     const BondConstants c = law.bond(family, o.length, o.omega);
     const double crossing = (std::abs(o.x) + std::abs(o.y) + std::abs(o.z)) / 3.;
-    sum += crossing * 0.5 * law.tension(c, o.length, /*theta_sum=*/6.) * o.length;
+    sum += crossing * 0.5 * law.tension(c, o.length, /*theta_sum=*/2.) * o.length;
   }
   return sum / (stencil.spacing * stencil.spacing);
 }

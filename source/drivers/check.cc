@@ -59,8 +59,8 @@ void print_relaxation(const Simulation &simulation, const std::size_t plate)
   }
   if (body.history() == nullptr)
     return;
-  // The critical stretch is no stress: the strength that it implies relaxes with Young's modulus.
-  // G_c is defined under uniform dilation, which no shear modulus takes part in.
+  // The critical stretch is no stress: the strength that it implies relaxes with Young's modulus,
+  // G_c with 3 K + 10 mu.
   const double K  = material.bulk_modulus,
                mu = material.shear_modulus *
                     relaxed_share(body.material().relaxation, std::numeric_limits<double>::max()),

@@ -3,6 +3,7 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/drivers/bench.h"
 #include "ricochet/drivers/bench_elements.h"
+#include "ricochet/drivers/bench_history.h"
 #include "ricochet/drivers/bench_search.h"
 #include "ricochet/drivers/check.h"
 #include "ricochet/drivers/mesh.h"
@@ -37,6 +38,7 @@ struct Arguments
   StudyOptions study;
   KernelBenchOptions bench;
   ElementBenchOptions elements;
+  HistoryBenchOptions history;
   SearchBenchOptions search;
   int n_processes = 1; // read by start_processes()
   MeshOptions mesh;
@@ -86,7 +88,7 @@ void declare(CLI::App &app, Arguments &arguments)
   study->add_flag("--resume", arguments.study.resume, "go on: skip the cases that are finished");
   study->add_flag("--quiet", arguments.study.quiet, "no progress of the single runs");
 
-  auto *bench = app.add_subcommand("bench", "measure the speed of this machine");
+  auto *bench = app.add_subcommand("bench", "measure the speed of this machine, and rounding");
   bench->require_subcommand(1);
   auto *kernel = bench->add_subcommand("kernel", "the peridynamic lattice kernel, with damage");
   kernel->add_flag("--json", arguments.bench.json, "one JSON object");
@@ -123,6 +125,13 @@ void declare(CLI::App &app, Arguments &arguments)
       ->capture_default_str();
   elements->add_option("--instruction-set", arguments.elements.instruction_set,
                        "avx512, avx2 or baseline; default: the best one");
+
+  auto *history = bench->add_subcommand(
+      "history", "the error of bonds with a history in single precision, one JSON object per row");
+  history
+      ->add_option("--decades", arguments.history.decades,
+                   "time steps of 1 to 10^-decades relaxation times")
+      ->capture_default_str();
 
   auto *search =
       bench->add_subcommand("search", "the contact searches, alone and on several processes");
@@ -179,6 +188,8 @@ int execute(const CLI::App &app, const Arguments &arguments)
       bench_kernel(communicator, arguments.bench);
     if (bench.got_subcommand("elements"))
       bench_elements(communicator, arguments.elements);
+    if (bench.got_subcommand("history"))
+      bench_history(communicator, arguments.history);
     if (bench.got_subcommand("search"))
       bench_search(communicator, arguments.search);
   }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/base/exceptions.h"
 #include "ricochet/drivers/bench.h"
+#include "ricochet/drivers/bench_history.h"
 
 #include <gtest/gtest.h>
 #include <mpi.h>
 #include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <string>
 
 namespace ricochet::tests
 {
@@ -34,6 +39,26 @@ TEST(BenchKernel, ComparesRelaxingBondsWithElasticOnes)
       const double bytes = history == std::string("single") ? 4. : 8.;
       EXPECT_EQ(result["history_bytes_per_point"], branches * (46 * bytes + 8.) + 24.);
     }
+}
+
+TEST(BenchHistory, SinglePrecisionErrsWhereAHalfDigitStalls)
+{
+  testing::internal::CaptureStdout();
+  bench_history(MPI_COMM_SELF, {3});
+  std::istringstream text(testing::internal::GetCapturedStdout());
+  int n_rows = 0;
+  for (std::string line; std::getline(text, line); ++n_rows)
+  {
+    const auto row    = nlohmann::json::parse(line);
+    const double step = row["dt_per_relaxation_time"];
+    EXPECT_NEAR(step, std::pow(0.1, n_rows), 1e-12);
+    // Rounding of every step adds up like a random walk, below the half digit at which it stalls.
+    EXPECT_GT(row["error_held"], 0.);
+    EXPECT_LT(row["error_held"], 6e-8 / step);
+    EXPECT_LT(row["error_pulled"], row["error_held"]);
+  }
+  EXPECT_EQ(n_rows, 4);
+  EXPECT_THROW(bench_history(MPI_COMM_SELF, {0}), InputError);
 }
 
 TEST(BenchKernel, RefusesWhatItDoesNotKnow)

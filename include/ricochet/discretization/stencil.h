@@ -35,7 +35,7 @@ Stencil make_stencil(double spacing, double horizon_ratio, InfluenceFunction inf
 /// Sums over the intact bulk family that the bond laws need.
 FamilyConstants family_constants(const Stencil &stencil, double bulk_modulus, double shear_modulus);
 
-/// Energy to break all bonds across a unit area, each at the stretch 1, under uniform dilation
+/// Energy of all bonds across a unit area, each at the stretch 1, in a medium pulled normal to it
 /// [J/m^2]: the critical stretch is sqrt(G_c / this). Summed over the lattice. For the microelastic
 /// law with omega = 1 and a full sphere it is 9 K delta/5, Silling and Askari 2005, equation 27.
 double fracture_energy_per_squared_stretch(const Stencil &stencil, const BondLaw &law,
