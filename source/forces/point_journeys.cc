@@ -13,7 +13,7 @@ namespace ricochet
 namespace
 {
 // How far a point may get: so many steps at its present speed, and a little for those that rest.
-constexpr double steps_ahead = 16.;
+constexpr double steps_ahead = 12.;
 constexpr double least_reach = 0.1; // [spacings]
 
 // So many entries of a field are looked at together.
