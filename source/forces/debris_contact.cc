@@ -89,11 +89,11 @@ void DebrisContact::evaluate(const double dt)
 
 void DebrisContact::push_former_neighbours(const std::size_t body, const double dt)
 {
-  using Pair       = FormerNeighbours::Pair;
-  const auto &list = pairs_.former_neighbours(body);
-  const auto &a    = bodies_[body]->state().arrays;
-  const Lattice &l = bodies_[body]->lattice();
-  find_touching(
+  using Pair             = FormerNeighbours::Pair;
+  const auto &list       = pairs_.former_neighbours(body);
+  const auto &a          = bodies_[body]->state().arrays;
+  const Lattice &l       = bodies_[body]->lattice();
+  const std::ptrdiff_t n = find_touching(
       list,
       [&a](const Pair &pair)
       {
@@ -106,9 +106,9 @@ void DebrisContact::push_former_neighbours(const std::size_t body, const double 
   const auto end = [&](const std::int32_t p) {
     return Follower{l.owned(p) ? p : -1, static_cast<std::int16_t>(body), false};
   };
-  for (const std::int32_t i : touching_)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
   {
-    const auto &[p, q, distance] = list.pairs[i];
+    const auto &[p, q, distance] = list.pairs[touching_[i]];
     push({end(p), end(q), at(a.position, q) - at(a.position, p),
           at(a.velocity, q) - at(a.velocity, p), distance, stiffness_[body],
           0.5 * bodies_[body]->point_mass()},
@@ -118,10 +118,10 @@ void DebrisContact::push_former_neighbours(const std::size_t body, const double 
 
 void DebrisContact::push_foreign_pairs(const double dt)
 {
-  using Pair          = DebrisPairs::ForeignPair;
-  const auto &list    = pairs_.foreign_pairs();
-  const auto &watched = pairs_.watched();
-  find_touching(
+  using Pair             = DebrisPairs::ForeignPair;
+  const auto &list       = pairs_.foreign_pairs();
+  const auto &watched    = pairs_.watched();
+  const std::ptrdiff_t n = find_touching(
       list,
       [&](const Pair &pair)
       {
@@ -143,9 +143,9 @@ void DebrisContact::push_foreign_pairs(const double dt)
       follower.flat = -1; // moves as its original does
     return follower;
   };
-  for (const std::int32_t i : touching_)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
   {
-    const auto &pair = list.pairs[i];
+    const auto &pair = list.pairs[touching_[i]];
     const auto &a = watched[pair.a], &b = watched[pair.b];
     const Follower first = end(pair.a), second = end(pair.b);
     const double m = bodies_[first.body]->point_mass(), m2 = bodies_[second.body]->point_mass();

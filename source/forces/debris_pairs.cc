@@ -165,14 +165,21 @@ void DebrisPairs::add(const ContactPoint &one, const ContactPoint &other)
 
 void DebrisPairs::add_foreign_pair(const ContactPoint &lower, const ContactPoint &higher)
 {
+  const double squared  = (vector(lower.position) - vector(higher.position)).squaredNorm();
+  const auto is_further = [&](const double distance)
+  {
+    const double limit = distance + lower.reach + higher.reach;
+    return squared >= limit * limit;
+  };
+  if (is_further(range_)) // most; where they came from need not be worked out
+    return;
   const auto place = numbering_.place(lower.id), other = numbering_.place(higher.id);
   const Lattice &l = bodies_[place.body]->lattice(), &m = bodies_[other.body]->lattice();
   const bool one_body = place.body == other.body;
   const double d      = contact_distance(
            (l.reference_position(place.lattice) - m.reference_position(other.lattice)).norm(),
       one_body ? l.box().spacing : 0.5 * (l.box().spacing + m.box().spacing));
-  const double limit = d + lower.reach + higher.reach;
-  if ((vector(lower.position) - vector(higher.position)).squaredNorm() < limit * limit)
+  if (!is_further(d))
     foreign_pairs_.pairs.push_back(
         {watched_.number_of(lower), watched_.number_of(higher), one_body, d});
 }

@@ -17,16 +17,18 @@ struct PairList
   std::size_t n_sorted = 0;
 };
 
-/// Numbers of the listed pairs that touch, ascending and each pair once, whenever it was listed.
-/// `touch(pair)` says whether it does, `before(pair, pair)` orders them.
+/// Finds the listed pairs that touch: returns how many, their numbers stand at the beginning of
+/// `touching`, ascending and each pair once, whenever it was listed. `touch(pair)` says whether it
+/// does, `before(pair, pair)` orders them.
 template <class Pair, class Touch, class Before>
-void find_touching(const PairList<Pair> &list, Touch &&touch, Before &&before,
-                   std::vector<std::int32_t> &touching)
+std::ptrdiff_t find_touching(const PairList<Pair> &list, Touch &&touch, Before &&before,
+                             std::vector<std::int32_t> &touching)
 {
   const auto &pairs = list.pairs;
-  touching.resize(pairs.size());
-  std::size_t n   = 0;
-  const auto find = [&](const std::size_t first, const std::size_t last)
+  if (touching.size() < pairs.size())
+    touching.resize(pairs.size());
+  std::ptrdiff_t n = 0;
+  const auto find  = [&](const std::size_t first, const std::size_t last)
   {
     // Few touch: written down in any case, and over it if not, so that nothing branches.
     for (std::size_t i = first; i < last; ++i)
@@ -36,18 +38,16 @@ void find_touching(const PairList<Pair> &list, Touch &&touch, Before &&before,
     }
   };
   find(0, list.n_sorted);
-  const auto n_sorted = static_cast<std::ptrdiff_t>(n);
+  const auto begin = touching.begin(), middle = begin + n;
   find(list.n_sorted, pairs.size());
-  touching.resize(n);
+  const auto end = begin + n;
 
   const auto less = [&](const std::int32_t i, const std::int32_t j)
   { return before(pairs[i], pairs[j]); };
-  const auto middle = touching.begin() + n_sorted;
-  std::sort(middle, touching.end(), less);
-  std::inplace_merge(touching.begin(), middle, touching.end(), less);
-  touching.erase(std::unique(touching.begin(), touching.end(),
-                             [&](const std::int32_t i, const std::int32_t j)
-                             { return !less(i, j); }),
-                 touching.end());
+  std::sort(middle, end, less);
+  std::inplace_merge(begin, middle, end, less);
+  return std::unique(begin, end,
+                     [&](const std::int32_t i, const std::int32_t j) { return !less(i, j); }) -
+         begin;
 }
 } // namespace ricochet
