@@ -65,8 +65,8 @@ struct LatticeKernel
   const char *instruction_set;
 
   /// Breaks bonds stretched beyond their limit, unless an end of them is held, and adds every
-  /// intact bond's part to theta, which must be zero before. `log` must hold one entry per block
-  /// and offset; returns how many were written.
+  /// intact bond's part to theta, which must be zero before. `log` must hold one entry per register
+  /// of points and offset: 4 per block and offset at most; returns how many were written.
   int64_t (*stretch)(const LatticeArrays &, const BondTable &, int64_t first_block,
                      int64_t last_block, BrokenBonds *log);
 
