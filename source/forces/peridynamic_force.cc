@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace ricochet
@@ -31,9 +32,12 @@ int size_of(const MPI_Comm communicator)
   return size;
 }
 
-// Kernels log what they break by the lanes of their registers: so many entries at most for a block
-// and an offset, with two lanes.
-constexpr std::size_t log_entries = Lattice::block_size / 2;
+/// Entries of the log of broken bonds for a block and an offset: one per register of points.
+std::size_t log_entries(const LatticeKernel &kernel)
+{
+  const std::string set = kernel.instruction_set;
+  return set == "avx512" ? 1 : set == "avx2" ? 2 : Lattice::block_size;
+}
 } // namespace
 
 PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number,
@@ -80,7 +84,7 @@ PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number
   initial_bonds_.assign(state_.arrays.bonds,
                         state_.arrays.bonds + lattice_.size() / Lattice::block_size * n);
   damaged_.assign(lattice_.size(), 0);
-  broken_.resize(log_entries * initial_bonds_.size());
+  broken_.resize(log_entries(*kernel_) * initial_bonds_.size());
   set_families();
   find_bond_ranges();
 }
@@ -195,7 +199,7 @@ void PeridynamicForce::redistribute(const std::vector<int> &plane_starts)
   lattice_ = std::move(lattice);
   state_   = std::move(state);
   halo_    = Halo(communicator_, lattice_, number_);
-  broken_.resize(log_entries * initial_bonds_.size());
+  broken_.resize(log_entries(*kernel_) * initial_bonds_.size());
   n_broken_ = 0;
   set_families();
   find_bond_ranges();
@@ -248,7 +252,7 @@ PeridynamicForce::points_stretched(const double stretch,
     const std::size_t n = shifts_.size() * (range.last - range.first);
     std::copy_n(state_.arrays.bonds + range.first * shifts_.size(), n,
                 watched_bonds_.begin() + range.first * shifts_.size());
-    log.resize(log_entries * n);
+    log.resize(log_entries(*kernel_) * n);
     const auto n_log = kernel_->stretch(copy, table, range.first, range.last, log.data());
     for (std::int64_t i = 0; i < n_log; ++i)
       for (int lane = 0; lane < Lattice::block_size; ++lane)

@@ -66,7 +66,7 @@ struct LatticeKernel
 
   /// Breaks bonds stretched beyond their limit, unless an end of them is held, and adds every
   /// intact bond's part to theta, which must be zero before. `log` must hold one entry per register
-  /// of points and offset: 4 per block and offset at most; returns how many were written.
+  /// of points and offset: 8 per block and offset at most; returns how many were written.
   int64_t (*stretch)(const LatticeArrays &, const BondTable &, int64_t first_block,
                      int64_t last_block, BrokenBonds *log);
 
