@@ -7,12 +7,15 @@
 #include "ricochet/discretization/near_points.h"
 
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 
 namespace ricochet
 {
-ContactNumbering::ContactNumbering(const Bodies &bodies)
+ContactNumbering::ContactNumbering(const Bodies &bodies) :
+  squared_range_(std::numeric_limits<int>::max())
 {
+  int first_place = 0;
   for (const auto &body : bodies)
   {
     const auto &stencil = body->lattice().stencil();
@@ -28,6 +31,9 @@ ContactNumbering::ContactNumbering(const Bodies &bodies)
     for (std::size_t k = 0; k < stencil.offsets.size(); ++k)
       numbers.offsets[difference(stencil.offsets[k])] = static_cast<std::int16_t>(k);
     bodies_.push_back(std::move(numbers));
+    first_place_.push_back(first_place);
+    first_place += n[0] + 2 * stencil.reach; // out of reach for the body before
+    squared_range_ = std::min(squared_range_, stencil.squared_range);
   }
 }
 
@@ -46,6 +52,21 @@ ContactNumbering::Place ContactNumbering::place(const std::int64_t id) const
   return {body,
           {static_cast<int>(row / b.n_z), static_cast<int>(at % b.n_y) + b.first_y,
            static_cast<int>(row % b.n_z)}};
+}
+
+Families ContactNumbering::families(const std::vector<std::int64_t> &ids) const
+{
+  Families families;
+  families.squared_range = static_cast<float>(squared_range_);
+  families.place.reserve(ids.size());
+  for (const auto id : ids)
+  {
+    const Place at = place(id);
+    families.place.push_back({static_cast<float>(first_place_[at.body] + at.lattice[0]),
+                              static_cast<float>(at.lattice[1]),
+                              static_cast<float>(at.lattice[2])});
+  }
+  return families;
 }
 
 namespace
@@ -79,6 +100,7 @@ struct LevelPoints
   std::vector<std::int32_t> number; // among all points
   std::vector<Vector3> position;
   std::vector<char> active;
+  std::vector<std::int64_t> id;
 };
 
 LevelPoints points_up_to_level(const std::vector<ContactPoint> &points, const std::size_t n_points,
@@ -88,11 +110,13 @@ LevelPoints points_up_to_level(const std::vector<ContactPoint> &points, const st
   result.number.reserve(n_points);
   result.position.reserve(n_points);
   result.active.reserve(n_points);
+  result.id.reserve(n_points);
   for (std::size_t i = 0; i < n_points; ++i)
     if (points[i].reach <= level_limits[level] * spacing)
     {
       result.number.push_back(static_cast<std::int32_t>(i));
       result.position.push_back(position_of(points[i]));
+      result.id.push_back(points[i].id);
       result.active.push_back(level > 0 ? is_of_level(points[i], level, spacing)
                                         : points[i].active);
     }
@@ -123,7 +147,8 @@ public:
         continue;
       const auto points = points_up_to_level(candidates.points, candidates.points.size(), level,
                                              parameters_.spacing);
-      search_->find(points.position, points.active, radius_of_level(level, parameters_), found_);
+      search_->find(points.position, points.active, radius_of_level(level, parameters_), found_, {},
+                    parameters_.numbering->families(points.id));
       for (const auto &pair : found_)
       {
         const std::int32_t a = points.number[pair.first], b = points.number[pair.second];
@@ -229,7 +254,7 @@ private:
     if (!a.active && !b.active)
       return false;
     const auto [lower, higher] = std::minmax(a.id, b.id);
-    if (!a.damaged && !b.damaged && parameters_.numbering->offset(lower, higher) >= 0)
+    if (parameters_.numbering->offset(lower, higher) >= 0)
       return false;
     const double limit = parameters_.range + a.reach + b.reach;
     return (position_of(a) - position_of(b)).squaredNorm() < limit * limit;

@@ -38,6 +38,12 @@ Vector3 vector(const double (&x)[3])
 {
   return {x[0], x[1], x[2]};
 }
+
+/// Points at the same place do not touch: there is no direction to push them apart.
+bool is_touch(const double squared, const double distance)
+{
+  return (squared < distance * distance) & (squared != 0.);
+}
 } // namespace
 
 DebrisContact::DebrisContact(const MPI_Comm communicator, const Bodies &bodies, const double factor,
@@ -74,20 +80,105 @@ void DebrisContact::evaluate(const double dt)
   if (factor_ <= 0.)
     return;
   pairs_.update(dt);
-  find_contacts(dt);
+  contacts_.clear();
   rubbed_.clear();
-  for (const auto &contact : contacts_)
-    for (const auto &[end, sign] : {std::pair<const Follower &, double>{contact.first, -1.},
-                                    std::pair<const Follower &, double>{contact.second, 1.}})
-      if (end.flat >= 0)
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    push_former_neighbours(body, dt);
+  push_foreign_pairs(dt);
+}
+
+void DebrisContact::push_former_neighbours(const std::size_t body, const double dt)
+{
+  using Pair             = FormerNeighbours::Pair;
+  const auto &list       = pairs_.former_neighbours(body);
+  const auto &a          = bodies_[body]->state().arrays;
+  const Lattice &l       = bodies_[body]->lattice();
+  const std::ptrdiff_t n = find_touching(
+      list,
+      [&a](const Pair &pair)
       {
-        auto &a = bodies_[end.body]->state().arrays;
-        for (int d = 0; d < 3; ++d)
-          a.force[d][end.flat] += sign * contact.force[d];
-        if (friction_.law)
-          rubbed_.push_back(
-              {end.flat, end.body, sign * vector(contact.friction), at(a.velocity, end.flat)});
-      }
+        return is_touch((at(a.position, pair.q) - at(a.position, pair.p)).squaredNorm(),
+                        pair.distance);
+      },
+      [](const Pair &one, const Pair &other)
+      { return std::tie(one.p, one.q) < std::tie(other.p, other.q); },
+      touching_);
+  const auto end = [&](const std::int32_t p) {
+    return Follower{l.owned(p) ? p : -1, static_cast<std::int16_t>(body), false};
+  };
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+  {
+    const auto &[p, q, distance] = list.pairs[touching_[i]];
+    push({end(p), end(q), at(a.position, q) - at(a.position, p),
+          at(a.velocity, q) - at(a.velocity, p), distance, stiffness_[body],
+          0.5 * bodies_[body]->point_mass()},
+         dt);
+  }
+}
+
+void DebrisContact::push_foreign_pairs(const double dt)
+{
+  using Pair             = DebrisPairs::ForeignPair;
+  const auto &list       = pairs_.foreign_pairs();
+  const auto &watched    = pairs_.watched();
+  const std::ptrdiff_t n = find_touching(
+      list,
+      [&](const Pair &pair)
+      {
+        const auto &a = watched[pair.a], &b = watched[pair.b];
+        return is_touch((vector(b.position) - vector(a.position)).squaredNorm(), pair.distance) &&
+               (!pair.one_body || a.damaged + b.damaged > 0.);
+      },
+      [&](const Pair &one, const Pair &other)
+      {
+        const auto ids = [&](const Pair &pair)
+        { return std::make_pair(watched.id(pair.a), watched.id(pair.b)); };
+        return ids(one) < ids(other);
+      },
+      touching_);
+  const auto end = [&](const std::int32_t number)
+  {
+    Follower follower = watched.follower(number);
+    if (follower.image)
+      follower.flat = -1; // moves as its original does
+    return follower;
+  };
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+  {
+    const auto &pair = list.pairs[touching_[i]];
+    const auto &a = watched[pair.a], &b = watched[pair.b];
+    const Follower first = end(pair.a), second = end(pair.b);
+    const double m = bodies_[first.body]->point_mass(), m2 = bodies_[second.body]->point_mass();
+    push({first, second, vector(b.position) - vector(a.position),
+          vector(b.velocity) - vector(a.velocity), pair.distance,
+          stiffness(first.body, second.body), m * m2 / (m + m2)},
+         dt);
+  }
+}
+
+/// Adds the forces of two points that touch.
+void DebrisContact::push(const Touch &touch, const double dt)
+{
+  const double r       = std::sqrt(touch.apart.squaredNorm());
+  const double overlap = touch.distance - r;
+  Vector3 force        = touch.stiffness * overlap / r * touch.apart;
+  Vector3 along        = Vector3::Zero();
+  if (friction_.law)
+  {
+    along = friction(touch.apart / r, touch.velocity, touch.stiffness * overlap, touch.mass, dt);
+    force += along;
+  }
+  for (const auto &[end, sign] : {std::pair<const Follower &, double>{touch.first, -1.},
+                                  std::pair<const Follower &, double>{touch.second, 1.}})
+    if (end.flat >= 0)
+    {
+      auto &a = bodies_[end.body]->state().arrays;
+      for (int d = 0; d < 3; ++d)
+        a.force[d][end.flat] += sign * force[d];
+      if (friction_.law)
+        rubbed_.push_back({end.flat, end.body, sign * along, at(a.velocity, end.flat)});
+    }
+  contacts_.push_back({touch.first, touch.second, 0.5 * touch.stiffness * overlap * overlap});
 }
 
 /// Force of friction on the second of two points.
@@ -107,85 +198,6 @@ Vector3 DebrisContact::friction(const Vector3 &normal, const Vector3 &velocity,
   // that one step of Coulomb's force would reverse their sliding, and the next one again. All
   // neighbours of a point together stop it in one step at the most, one alone takes some.
   return -std::min(drag, mass / (crowd * dt)) * sliding;
-}
-
-/// The listed pairs that touch, in one order on any number of ranks and whenever they were listed,
-/// hence with the same sums.
-void DebrisContact::find_contacts(const double dt)
-{
-  contacts_.clear();
-  // The velocity of the second relative to the first is only asked for if there is friction.
-  const auto touch = [&](const Vector3 &d, const double distance, const double stiffness,
-                         const std::int64_t key_1, const std::int64_t key_2, const Follower &first,
-                         const Follower &second, const double mass, auto &&velocity)
-  {
-    const double squared = d.squaredNorm();
-    if (squared >= distance * distance || squared == 0.)
-      return;
-    const double r       = std::sqrt(squared);
-    const double overlap = distance - r;
-    Vector3 force        = stiffness * overlap / r * d;
-    Vector3 along        = Vector3::Zero();
-    if (friction_.law)
-    {
-      along = friction(d / r, velocity(), stiffness * overlap, mass, dt);
-      force += along;
-    }
-    contacts_.push_back({key_1,
-                         key_2,
-                         first,
-                         second,
-                         {force[0], force[1], force[2]},
-                         {along[0], along[1], along[2]},
-                         0.5 * stiffness * overlap * overlap});
-  };
-  const auto sort_from = [&](const std::size_t begin)
-  {
-    const auto key = [](const Contact &contact) { return std::tie(contact.key_1, contact.key_2); };
-    std::sort(contacts_.begin() + begin, contacts_.end(),
-              [&](const Contact &x, const Contact &y) { return key(x) < key(y); });
-    contacts_.erase(std::unique(contacts_.begin() + begin, contacts_.end(),
-                                [&](const Contact &x, const Contact &y)
-                                { return key(x) == key(y); }),
-                    contacts_.end());
-  };
-
-  for (std::size_t body = 0; body < bodies_.size(); ++body)
-  {
-    const std::size_t begin = contacts_.size();
-    const auto &a           = bodies_[body]->state().arrays;
-    const Lattice &l        = bodies_[body]->lattice();
-    const double mass       = 0.5 * bodies_[body]->point_mass();
-    const auto end          = [&](const std::int32_t p) {
-      return Follower{l.owned(p) ? p : -1, static_cast<std::int16_t>(body), false};
-    };
-    for (const auto &pair : pairs_.bond_pairs(body))
-      touch(at(a.position, pair.q) - at(a.position, pair.p), pair.distance, stiffness_[body],
-            pair.p, pair.q, end(pair.p), end(pair.q), mass,
-            [&]() -> Vector3 { return at(a.velocity, pair.q) - at(a.velocity, pair.p); });
-    sort_from(begin);
-  }
-
-  const std::size_t begin = contacts_.size();
-  const auto end          = [&](const std::int32_t i)
-  {
-    Follower follower = pairs_.follower(i);
-    if (follower.image)
-      follower.flat = -1; // moves as its original does
-    return follower;
-  };
-  for (const auto &pair : pairs_.foreign_pairs())
-  {
-    const auto &a = pairs_.watched(pair.a), &b = pairs_.watched(pair.b);
-    if (pair.one_body && a.damaged + b.damaged == 0.)
-      continue;
-    const int body = pairs_.body(pair.a), other = pairs_.body(pair.b);
-    const double m = bodies_[body]->point_mass(), m2 = bodies_[other]->point_mass();
-    touch(vector(b.position) - vector(a.position), pair.distance, stiffness(body, other),
-          pairs_.id(pair.a), pairs_.id(pair.b), end(pair.a), end(pair.b), m * m2 / (m + m2),
-          [&]() -> Vector3 { return vector(b.velocity) - vector(a.velocity); });
-  }
-  sort_from(begin);
 }
 
 void DebrisContact::record_work(const double dt)

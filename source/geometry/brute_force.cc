@@ -15,10 +15,11 @@ public:
   explicit BruteForce(const PairLoops &loops) : loops_(loops) {}
 
 private:
-  void search(const std::vector<Vector3> &points, const std::vector<char> &active,
-              const double radius, const SearchShare share,
+  void search(const SearchPoints &all, const double radius, const SearchShare share,
               std::vector<PointPair> &pairs) const override
   {
+    const auto &points = all.position;
+    const auto &active = all.active;
     // Active points first: then only their rows are needed.
     std::vector<std::int32_t> number;
     const auto number_those = [&](const bool wanted)
@@ -51,14 +52,18 @@ private:
         u[d][i] = static_cast<float>((points[number[i]][d] - low[d]) / radius);
     }
     const std::vector<std::int32_t> image(n_points + SortedPoints::padding, 0);
-    const SortedPoints sorted{{u[0].data(), u[1].data(), u[2].data()},
-                              image.data(),
-                              nullptr,
-                              number.data(),
-                              points[0].data(),
-                              radius * radius,
-                              static_cast<float>(1. - error),
-                              static_cast<float>(1. + error)};
+    SortedPoints sorted{{u[0].data(), u[1].data(), u[2].data()},
+                        image.data(),
+                        nullptr,
+                        number.data(),
+                        points[0].data(),
+                        radius * radius,
+                        static_cast<float>(1. - error),
+                        static_cast<float>(1. + error),
+                        {},
+                        0.f};
+    const SortedFamilies families(all.families, number, n_points);
+    families.add_to(sorted);
     const PairSink sink{[](void *target, const PointPair *found, const std::int64_t n)
                         {
                           auto &all = *static_cast<std::vector<PointPair> *>(target);

@@ -32,13 +32,15 @@ struct Neighbours
   const char *active;         // null: all are
   double squared_radius;
   std::uint32_t centre;
+  const Families &families;
   std::vector<PointPair> &pairs;
 
   bool addPoint(const double squared_distance, const std::uint32_t i)
   {
     // A pair of two active points is met twice.
     const bool first_time = i > centre || (active && !active[i] && i != centre);
-    if (first_time && squared_distance < squared_radius)
+    if (first_time && squared_distance < squared_radius &&
+        !families.share(number[centre], number[i]))
       pairs.push_back({number[centre], number[i]});
     return true;
   }
@@ -50,10 +52,11 @@ struct Neighbours
 
 class KdTree : public PairSearch
 {
-  void search(const std::vector<Vector3> &points, const std::vector<char> &active,
-              const double radius, const SearchShare share,
+  void search(const SearchPoints &all, const double radius, const SearchShare share,
               std::vector<PointPair> &pairs) const override
   {
+    const auto &points = all.position;
+    const auto &active = all.active;
     const CellGrid grid(points, active, radius);
     const auto &order = grid.order();
     if (order.empty())
@@ -70,8 +73,9 @@ class KdTree : public PairSearch
     Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(/*leaf size*/ 10));
     tree.buildIndex();
 
-    Neighbours neighbours{order.data(), is_active.empty() ? nullptr : is_active.data(),
-                          radius * radius, 0, pairs};
+    Neighbours neighbours{order.data(),    is_active.empty() ? nullptr : is_active.data(),
+                          radius * radius, 0,
+                          all.families,    pairs};
     const auto begin = order.size() * share.part / share.n_parts;
     const auto end   = order.size() * (share.part + 1) / share.n_parts;
     for (auto i = begin; i < end; ++i)

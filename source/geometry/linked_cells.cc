@@ -20,11 +20,13 @@ public:
   explicit LinkedCells(const PairLoops &loops) : loops_(loops) {}
 
 private:
-  void search(const std::vector<Vector3> &points, const std::vector<char> &active,
-              const double radius, const SearchShare share,
+  void search(const SearchPoints &points, const double radius, const SearchShare share,
               std::vector<PointPair> &pairs) const override
   {
-    const CellGrid grid(points, active, radius);
+    const CellGrid grid(points.position, points.active, radius);
+    const SortedFamilies families(points.families, grid.order(), grid.order().size());
+    SortedPoints sorted = grid.sorted_points();
+    families.add_to(sorted);
     const CellTable table = grid.table();
     // Parts have equally many points, not cells.
     const auto first_cell = [&](const int part)
@@ -35,7 +37,7 @@ private:
                  ? grid.n_cells()
                  : std::lower_bound(begin, end, n_points * part / share.n_parts) - begin;
     };
-    loops_.cells(grid.sorted_points(), table, first_cell(share.part), first_cell(share.part + 1),
+    loops_.cells(sorted, table, first_cell(share.part), first_cell(share.part + 1),
                  {&append, &pairs});
   }
 

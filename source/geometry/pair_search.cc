@@ -8,14 +8,15 @@
 namespace ricochet
 {
 void PairSearch::find(const std::vector<Vector3> &points, const std::vector<char> &active,
-                      const double radius, std::vector<PointPair> &pairs,
-                      const SearchShare share) const
+                      const double radius, std::vector<PointPair> &pairs, const SearchShare share,
+                      const Families &families) const
 {
   assert(radius > 0. && share.part >= 0 && share.part < share.n_parts);
   assert(active.empty() || active.size() == points.size());
+  assert(families.place.empty() || families.place.size() == points.size());
   pairs.clear();
   if (points.size() > 1)
-    search(points, active, radius, share, pairs);
+    search({points, active, families}, radius, share, pairs);
 }
 
 const std::vector<PairSearchEntry> &pair_searches()

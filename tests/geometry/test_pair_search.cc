@@ -54,10 +54,11 @@ class PairSearches : public testing::TestWithParam<Method>
 {
 protected:
   Pairs found(const std::vector<Vector3> &points, const std::vector<char> &active,
-              const double radius, const SearchShare share = {}) const
+              const double radius, const SearchShare share = {},
+              const Families &families = {}) const
   {
     std::vector<PointPair> found{{7, 7}}; // must be overwritten
-    GetParam().make()->find(points, active, radius, found, share);
+    GetParam().make()->find(points, active, radius, found, share, families);
     Pairs pairs;
     for (const auto &pair : found)
       pairs.push_back(std::minmax(pair.first, pair.second));
@@ -251,6 +252,40 @@ TEST_P(PairSearches, SharesTogetherFindEveryPairOnce)
     }
     std::sort(all.begin(), all.end());
     EXPECT_EQ(all, expected(points, active, 0.3)) << n_parts;
+  }
+}
+
+TEST_P(PairSearches, LeaveOutPairsWithinAFamily)
+{
+  // Points of a lattice, shaken until many that were far apart are near, and a second body beside
+  // it. What is left are the pairs further apart in the lattice than the family reaches.
+  Random random(71);
+  std::vector<Vector3> points;
+  std::vector<char> active;
+  Families families;
+  families.squared_range = 5.f;
+  for (const int body : {0, 1})
+    for (int x = 0; x < 9; ++x)
+      for (int y = -4; y < 5; ++y)
+        for (int z = 0; z < 9; ++z)
+        {
+          points.push_back(Vector3(x, y, z) + 1.5 * random.vector());
+          active.push_back(random.uniform() > -0.5);
+          families.place.push_back({1e6f + 100.f * body + x, 1.f * y, 1.f * z});
+        }
+  const double radius = 1.8;
+  for (const auto &chosen : {std::vector<char>(), active})
+  {
+    Pairs others;
+    for (const auto &[a, b] : expected(points, chosen, radius))
+    {
+      const auto &p = families.place[a], &q = families.place[b];
+      if (std::pow(p[0] - q[0], 2) + std::pow(p[1] - q[1], 2) + std::pow(p[2] - q[2], 2) > 5.)
+        others.emplace_back(a, b);
+    }
+    EXPECT_GT(others.size(), 1000u);
+    EXPECT_LT(others.size(), expected(points, chosen, radius).size() - 1000u);
+    EXPECT_EQ(found(points, chosen, radius, {}, families), others);
   }
 }
 

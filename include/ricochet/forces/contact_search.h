@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ricochet/forces/peridynamic_force.h"
-#include "ricochet/geometry/pair_loops.h"
+#include "ricochet/geometry/families.h"
 
 #include <memory>
 #include <string>
@@ -29,6 +29,8 @@ public:
 
   std::int64_t id(int body, const std::array<int, 3> &lattice) const;
   Place place(std::int64_t id) const;
+  /// Families of neighbours: of all of them, or some if the bodies differ in their horizon.
+  Families families(const std::vector<std::int64_t> &ids) const;
   /// Number in the stencil of the offset from the point with the lower id to the other one; -1 if
   /// they have never been neighbours.
   int offset(const std::int64_t lower, const std::int64_t higher) const
@@ -48,6 +50,8 @@ private:
     std::vector<std::int16_t> offsets; // per difference of two numbers
   };
   std::vector<Body> bodies_;
+  std::vector<int> first_place_; // of each body, along x
+  int squared_range_;            // the smallest of all bodies
 };
 
 /// A point or an image of one, as the search sees it.
@@ -67,8 +71,8 @@ struct ContactCandidates
 {
   std::vector<ContactPoint> points; // this rank's, their images, then those of other ranks
   std::size_t n_own = 0, n_local = 0;
-  // Pairs with at least one point of this rank: all whose distance is less than the range plus both
-  // reaches, and more.
+  // Pairs with at least one point of this rank: all that have never been neighbours and whose
+  // distance is less than the range plus both reaches, and more.
   std::vector<PointPair> pairs;
 };
 

@@ -64,16 +64,21 @@ public:
   double squared_frequency(const PeridynamicForce &body) const;
 
 private:
-  using Follower = DebrisPairs::Follower;
+  using Follower = WatchedPoints::Follower; // flat < 0: not a point of this rank
 
-  /// Two points that touch now.
+  /// Two points that touch now, and how.
+  struct Touch
+  {
+    Follower first, second;
+    Vector3 apart, velocity; // of the second relative to the first [m], [m/s]
+    double distance;         // at which they begin to touch [m]
+    double stiffness;        // [N/m]
+    double mass;             // reduced one of the two [kg]
+  };
   struct Contact
   {
-    std::int64_t key_1, key_2; // order the contacts
-    Follower first, second;    // flat < 0: not a point of this rank
-    double force[3];           // on the second, minus that on the first [N]
-    double friction[3];        // its part along the surface [N]
-    double energy;             // [J]
+    Follower first, second;
+    double energy; // [J]
   };
   /// A point of this rank that something rubs against.
   struct Rubbed
@@ -85,7 +90,9 @@ private:
   };
 
   double stiffness(int body, int other_body) const; // k of a pair [N/m]
-  void find_contacts(double dt);
+  void push_former_neighbours(std::size_t body, double dt);
+  void push_foreign_pairs(double dt);
+  void push(const Touch &touch, double dt);
   Vector3 friction(const Vector3 &normal, const Vector3 &velocity, double pressure, double mass,
                    double dt) const;
 
@@ -96,6 +103,7 @@ private:
   Friction friction_;
   std::vector<double> stiffness_; // k within each body [N/m]
   DebrisPairs pairs_;
+  std::vector<std::int32_t> touching_; // workspace
   std::vector<Contact> contacts_;
   std::vector<Rubbed> rubbed_;
   PlaneSums<1> work_; // of friction [J]

@@ -119,6 +119,9 @@ public:
   /// What the last evaluate() broke; a bond with ends on two ranks stands on both.
   const std::vector<BrokenBonds> &broken() const { return broken_; }
   std::size_t n_broken_entries() const { return n_broken_; }
+  /// Calls visit(p, q, k) for the bond k from point p to q of each of them.
+  template <class Visitor>
+  void for_each_newly_broken_bond(Visitor &&visit) const;
 
   /// Bonds of the body; each counted once, over all ranks, a mirrored one half. Collective, slow.
   double count_bonds() const;
@@ -133,6 +136,12 @@ public:
   /// Calls visit(p, q, k) for every broken bond k from point p to q, in ascending order.
   template <class Visitor>
   void for_each_broken_bond(Visitor &&visit) const;
+  /// Bit l: the bond k of point 8 block + l is broken.
+  std::uint8_t broken_bonds(const std::int64_t block, const std::size_t k) const
+  {
+    const std::size_t at = block * shifts_.size() + k;
+    return initial_bonds_[at] & ~state_.arrays.bonds[at];
+  }
 
   /// The zone's cell of a point of the lattice; images belong to their original's.
   Zone::Cell cell_of(const std::ptrdiff_t index) const
@@ -176,14 +185,25 @@ private:
 };
 
 template <class Visitor>
+void PeridynamicForce::for_each_newly_broken_bond(Visitor &&visit) const
+{
+  for (std::size_t i = 0; i < n_broken_; ++i)
+    for (int lane = 0; lane < Lattice::block_size; ++lane)
+      if ((broken_[i].points >> lane) & 1)
+      {
+        const std::ptrdiff_t p =
+            static_cast<std::ptrdiff_t>(broken_[i].block) * Lattice::block_size + lane;
+        visit(p, p + shifts_[broken_[i].offset], static_cast<std::size_t>(broken_[i].offset));
+      }
+}
+
+template <class Visitor>
 void PeridynamicForce::for_each_broken_bond(Visitor &&visit) const
 {
-  const std::size_t n       = shifts_.size();
   const std::ptrdiff_t last = lattice_.owned_end() / Lattice::block_size;
-  const auto *bonds         = state_.arrays.bonds;
   for (std::ptrdiff_t block = 0; block < last; ++block)
-    for (std::size_t k = 0; k < n; ++k)
-      if (const unsigned int gone = initial_bonds_[block * n + k] & ~bonds[block * n + k])
+    for (std::size_t k = 0; k < shifts_.size(); ++k)
+      if (const unsigned int gone = broken_bonds(block, k))
         for (int lane = 0; lane < Lattice::block_size; ++lane)
           if ((gone >> lane) & 1)
             visit(block * Lattice::block_size + lane,

@@ -29,6 +29,8 @@ struct SortedPoints
   const double *position; // x, y, z of the caller's point 0, 1, ... [m]
   double squared_radius;  // [m^2]
   float sure, possible;   // squared distances [cells^2] below which a pair is, or may be, one
+  const float *place[3]      = {}; // see geometry/families.h; null: there are no families
+  float squared_family_range = 0.f;
 };
 
 /// The cells of a grid in the order z fastest, then y, then x. See geometry/cell_grid.h.

@@ -15,6 +15,7 @@ struct Query
   float u[3];
   int32_t image;
   float sure;
+  float place[3];
 };
 
 /// Pairs on their way to the sink.
@@ -59,6 +60,16 @@ inline bool is_closer(const SortedPoints &p, const int32_t a, const int32_t b)
   return (d0 * d0 + d1 * d1) + d2 * d2 < p.squared_radius;
 }
 
+/// Bits of those points from number j on that are of the same family.
+inline unsigned int family(const SortedPoints &p, const Query &q, const int64_t j)
+{
+  const Lanes::F dx = Lanes::load(p.place[0] + j) - Lanes::set(q.place[0]),
+                 dy = Lanes::load(p.place[1] + j) - Lanes::set(q.place[1]),
+                 dz = Lanes::load(p.place[2] + j) - Lanes::set(q.place[2]);
+  // Whole numbers.
+  return Lanes::less(dx * dx + dy * dy + dz * dz, Lanes::set(p.squared_family_range + 0.5f));
+}
+
 /// Appends the pairs of point `i` with the points begin ... end - 1 that are close to it.
 template <bool only_inactive>
 inline PointPair *compare(const SortedPoints &p, const Query &q, const int32_t i,
@@ -77,6 +88,8 @@ inline PointPair *compare(const SortedPoints &p, const Query &q, const int32_t i
       close &= (1u << (end - j)) - 1u;
     if constexpr (only_inactive)
       close &= ~Lanes::negative(p.active + j);
+    if (close != 0 && p.place[0] != nullptr)
+      close &= ~family(p, q, j);
     if (close == 0)
       continue;
     unsigned int doubtful = close & ~(Lanes::less(d2, sure) & Lanes::equal(p.image + j, image));
@@ -106,7 +119,10 @@ inline void compare(const SortedPoints &p, const Query &q, const int32_t i, int6
 
 inline Query query(const SortedPoints &p, const int32_t i)
 {
-  return {{p.u[0][i], p.u[1][i], p.u[2][i]}, p.image[i], p.image[i] < 0 ? -1.f : p.sure};
+  Query q{{p.u[0][i], p.u[1][i], p.u[2][i]}, p.image[i], p.image[i] < 0 ? -1.f : p.sure, {}};
+  for (int d = 0; d < 3 && p.place[0] != nullptr; ++d)
+    q.place[d] = p.place[d][i];
+  return q;
 }
 
 /// Points of neighbouring cells that lie behind one another, and where they are if the grid wraps

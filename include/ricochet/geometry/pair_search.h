@@ -3,7 +3,7 @@
 // methods find exactly the same pairs: |x_a - x_b|^2 < radius^2 in double precision.
 #pragma once
 
-#include "ricochet/geometry/pair_loops.h"
+#include "ricochet/geometry/families.h"
 #include "ricochet/geometry/vector.h"
 
 #include <memory>
@@ -12,6 +12,14 @@
 
 namespace ricochet
 {
+/// What a search knows of its points.
+struct SearchPoints
+{
+  const std::vector<Vector3> &position;
+  const std::vector<char> &active;
+  const Families &families;
+};
+
 /// Part number `part` of `n_parts` parts of the work, which together find every pair once. Each
 /// needs all points.
 struct SearchShare
@@ -32,13 +40,15 @@ public:
    *                 interest. Empty: all are active.
    * @param radius   > 0 [m]; a pair exactly that far apart is none.
    * @param pairs    Is overwritten; what it has allocated is used again.
+   * @param families Pairs within one are left out.
    */
   void find(const std::vector<Vector3> &points, const std::vector<char> &active, double radius,
-            std::vector<PointPair> &pairs, SearchShare share = {}) const;
+            std::vector<PointPair> &pairs, SearchShare share = {},
+            const Families &families = {}) const;
 
 private:
-  virtual void search(const std::vector<Vector3> &points, const std::vector<char> &active,
-                      double radius, SearchShare share, std::vector<PointPair> &pairs) const = 0;
+  virtual void search(const SearchPoints &points, double radius, SearchShare share,
+                      std::vector<PointPair> &pairs) const = 0;
 };
 
 struct PairSearchEntry
