@@ -304,7 +304,7 @@ private:
     if (!reaction.on_elements || on_elements_ >= 0.)
       return;
     on_elements_ = simulation_.time();
-    if (speaks)
+    if (speaks && scene_.zone.kind != ZoneKind::none) // who wants elements alone knows
       std::fprintf(
           stderr,
           "\nwarning: at %.2f us the projectile, at x = %.0f mm, touches finite elements, which do "

@@ -213,15 +213,7 @@ void Simulation::start_relaxation(const std::vector<double> &elastic_seconds)
 
 void Simulation::evaluate(const bool energy)
 {
-  reaction_ = {Vector3::Zero(),
-               Vector3::Zero(),
-               Vector3::Zero(),
-               Vector3::Zero(),
-               Vector3::Zero(),
-               0.,
-               0.,
-               0.,
-               false};
+  reaction_ = {};
   projectile_->begin(energy);
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {

@@ -192,11 +192,9 @@ SurfaceContact::Reaction SurfaceContact::evaluate(const SurfaceNodes &body,
   std::array<double, 2> largest{deepest_, on_elements_};
   MPI_Allreduce(MPI_IN_PLACE, largest.data(), 2, MPI_DOUBLE, MPI_MAX, communicator_);
 
-  Reaction reaction{Vector3::Zero(), Vector3::Zero(),
-                    Vector3::Zero(), Vector3::Zero(),
-                    Vector3::Zero(), 0.,
-                    largest[0],      0.,
-                    largest[1] > 0.};
+  Reaction reaction;
+  reaction.deepest     = largest[0];
+  reaction.on_elements = largest[1] > 0.;
   friction_.assign(body.force.size(), 0.);
   for (const auto &load : all)
   {

@@ -300,5 +300,24 @@ TEST(PlateZone, ZoneOfTheWholePlateIsPeridynamics)
   EXPECT_GT(alone.energies(0.).strain, 0.);
   EXPECT_EQ(plate.far->energies(0.).strain, alone.energies(0.).strain);
 }
+
+TEST(PlateZone, ProjectileThatTouchesElementsIsNoticed)
+{
+  for (const double begin : {2e-3, 20e-3}) // the entry point is at 8e-3
+    for (const auto &scene_of :
+         {+[](Scene scene) { return scene; }, +[](Scene scene) { return deformable(scene); }})
+    {
+      Scene scene                = scene_of(coupled_scene());
+      scene.plates[0].zone_boxes = {{begin, 28e-3, -8e-3, 8e-3}};
+      Simulation simulation(MPI_COMM_SELF, scene);
+      for (int step = 0; step < 200 && simulation.reaction().n_touching == 0.; ++step)
+      {
+        simulation.evaluate(/*energy=*/false);
+        simulation.advance();
+      }
+      ASSERT_GT(simulation.reaction().n_touching, 0.);
+      EXPECT_EQ(simulation.reaction().on_elements, begin > 8e-3);
+    }
+}
 } // namespace
 } // namespace ricochet::tests

@@ -61,7 +61,7 @@ void expect_the_same(const Record &all, const Record &one, const double before_b
   // The step comes from vibrations of 1e-6 spacings: positions of 1e-2 m round them by 1e-9, which
   // the mean over all points leaves 2e-12 of (AVX2; below 1e-12 with AVX-512).
   const double longer = all.dt / one.dt - 1.;
-  EXPECT_NEAR(longer, 0., 1e-11);
+  EXPECT_NEAR(longer, 0., 4e-12);
   ASSERT_EQ(all.before_break.size(), one.before_break.size()) << "the first bond breaks elsewhere";
   constexpr std::size_t n = 19; // numbers per step
   ASSERT_GT(one.before_break.size(), n * 3u) << "nothing before the first break";

@@ -31,13 +31,15 @@ public:
   /// included.
   struct Reaction
   {
-    Vector3 normal, friction, shank; // [N]
-    Vector3 moment;                  // about the centroid, of all three [N m]
-    Vector3 friction_moment;         // of friction and shank alone [N m]
-    double energy;                   // stored in the penalty springs [J]
-    double deepest;    // penetration of a point's centre below the surface plus dx/2 [m]
-    double n_touching; // points
-    bool on_elements;  // some of them follow finite elements, which do not break
+    Vector3 normal          = Vector3::Zero(); // [N]
+    Vector3 friction        = Vector3::Zero(); // [N]
+    Vector3 shank           = Vector3::Zero(); // [N]
+    Vector3 moment          = Vector3::Zero(); // about the centroid, of all three [N m]
+    Vector3 friction_moment = Vector3::Zero(); // of friction and shank alone [N m]
+    double energy           = 0.;              // stored in the penalty springs [J]
+    double deepest          = 0.; // penetration of a point's centre below the surface plus dx/2 [m]
+    double n_touching       = 0.; // points
+    bool on_elements        = false; // some of them follow finite elements, which do not break
 
     Vector3 force() const { return normal + friction + shank; }
   };
