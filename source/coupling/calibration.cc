@@ -2,7 +2,7 @@
 #include "ricochet/coupling/calibration.h"
 
 #include "ricochet/coupling/slaved_points.h"
-#include "ricochet/discretization/exchange.h"
+#include "ricochet/base/exchange.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/coupling/slaved_points.h"
 
-#include "ricochet/discretization/exchange.h"
+#include "ricochet/base/exchange.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/dynamics/finite_element_time_step.h"
+#include "finite_element_time_step.h"
 
 #include <algorithm>
 #include <cmath>

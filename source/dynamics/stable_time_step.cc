@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/dynamics/stable_time_step.h"
 
-#include "ricochet/discretization/plane_sums.h"
+#include "ricochet/peridynamics/plane_sums.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The loop over general hexahedra for one instruction set; CMakeLists.txt gives this file its own
 // compiler flags.
-#include "ricochet/kernels/simd_avx512.h"
+#include "simd_avx512.h"
 
-#include "ricochet/kernels/general_hex_kernel_loops.h"
+#include "general_hex_kernel_loops.h"
 
 namespace ricochet
 {

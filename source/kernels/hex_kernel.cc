@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/kernels/hex_kernel.h"
 
-#include "ricochet/kernels/instruction_set.h"
+#include "instruction_set.h"
 
 namespace ricochet
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The element loops for one instruction set; CMakeLists.txt gives this file its own compiler flags.
-#include "ricochet/kernels/simd_baseline.h"
+#include "simd_baseline.h"
 
-#include "ricochet/kernels/hex_kernel_loops.h"
+#include "hex_kernel_loops.h"
 
 namespace ricochet
 {

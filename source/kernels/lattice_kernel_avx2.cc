@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The lattice loops for one instruction set; CMakeLists.txt gives this file its own compiler flags.
-#include "ricochet/kernels/simd_avx2.h"
+#include "simd_avx2.h"
 
-#include "ricochet/kernels/lattice_kernel_loops.h"
+#include "lattice_kernel_loops.h"
 
 namespace ricochet
 {

@@ -2,7 +2,7 @@
 #include "ricochet/output/damage_map.h"
 
 #include "ricochet/output/collective.h"
-#include "ricochet/output/hdf5_file.h"
+#include "hdf5_file.h"
 
 #include <string>
 

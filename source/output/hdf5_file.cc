@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/output/hdf5_file.h"
+#include "hdf5_file.h"
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/output/checked_file.h"

@@ -3,7 +3,7 @@
 
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
-#include "ricochet/output/hdf5_file.h"
+#include "hdf5_file.h"
 
 #include <cassert>
 #include <cstdio>

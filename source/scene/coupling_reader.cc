@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/scene/coupling_reader.h"
+#include "coupling_reader.h"
 
 namespace ricochet
 {

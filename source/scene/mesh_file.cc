@@ -2,7 +2,7 @@
 #include "ricochet/scene/mesh_file.h"
 
 #include "ricochet/base/exceptions.h"
-#include "ricochet/scene/text_tools.h"
+#include "text_tools.h"
 
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>

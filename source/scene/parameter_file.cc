@@ -2,7 +2,7 @@
 #include "ricochet/scene/parameter_file.h"
 
 #include "ricochet/base/exceptions.h"
-#include "ricochet/scene/text_tools.h"
+#include "text_tools.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/scene/parameters.h"
+#include "parameters.h"
 
 #include "ricochet/base/exceptions.h"
-#include "ricochet/scene/text_tools.h"
+#include "text_tools.h"
 
 #include <algorithm>
 

@@ -4,12 +4,12 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
 #include "ricochet/materials/bond_laws.h"
-#include "ricochet/scene/coupling_reader.h"
+#include "coupling_reader.h"
 #include "ricochet/scene/mesh_file.h"
-#include "ricochet/scene/parameter_writer.h"
-#include "ricochet/scene/parameters.h"
+#include "parameter_writer.h"
+#include "parameters.h"
 #include "ricochet/scene/stability_reader.h"
-#include "ricochet/scene/text_tools.h"
+#include "text_tools.h"
 
 #include <algorithm>
 #include <cmath>

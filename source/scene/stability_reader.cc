@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/stability_reader.h"
 
-#include "ricochet/scene/coupling_reader.h"
-#include "ricochet/scene/parameters.h"
-#include "ricochet/scene/text_tools.h"
+#include "coupling_reader.h"
+#include "parameters.h"
+#include "text_tools.h"
 
 #include <algorithm>
 #include <cmath>

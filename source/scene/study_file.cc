@@ -2,10 +2,10 @@
 #include "ricochet/scene/study_file.h"
 
 #include "ricochet/base/exceptions.h"
-#include "ricochet/scene/parameters.h"
+#include "parameters.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/stability_reader.h"
-#include "ricochet/scene/text_tools.h"
+#include "text_tools.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/scene/text_tools.h"
+#include "text_tools.h"
 
 #include <algorithm>
 #include <cstdio>

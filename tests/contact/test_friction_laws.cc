@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "laws.h"
+#include "support/laws.h"
 
 #include <gtest/gtest.h>
 

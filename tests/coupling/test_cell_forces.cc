@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What calibration computes cell by cell against what the points of a strained plate really feel.
-#include "coupled_plate.h"
+#include "support/coupled_plate.h"
 
 #include "ricochet/coupling/cell_forces.h"
 

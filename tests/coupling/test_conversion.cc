@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // V22: elements become points ahead of a pulse and under it.
-#include "coupled_plate.h"
+#include "support/coupled_plate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // V24: the same coupled impact on one rank and on all. Sums over nodes are made in another order,
 // so that numbers agree to rounding and not to the last bit.
-#include "coupled_scene.h"
+#include "support/coupled_scene.h"
 
 #include <gtest/gtest.h>
 

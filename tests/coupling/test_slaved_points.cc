@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Points that follow nodes, and the nodes of other ranks that they need; on any number of ranks.
-#include "coupled_plate.h"
+#include "support/coupled_plate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // V9: plane waves in lattice and elements against numbers of an independent prototype (speeds for
 // nu = 0.35).
-#include "body.h"
+#include "support/body.h"
 #include "ricochet/dynamics/dispersion.h"
-#include "ricochet/dynamics/finite_element_time_step.h"
+#include "dynamics/finite_element_time_step.h"
 #include "ricochet/dynamics/stable_time_step.h"
 
 #include <Eigen/Eigenvalues>

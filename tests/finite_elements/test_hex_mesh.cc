@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "element_body.h"
+#include "support/element_body.h"
 
 #include "ricochet/base/exceptions.h"
 

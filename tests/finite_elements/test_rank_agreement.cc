@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Several ranks compute what one rank computes, to rounding.
-#include "element_body.h"
+#include "support/element_body.h"
 
-#include "ricochet/dynamics/finite_element_time_step.h"
+#include "dynamics/finite_element_time_step.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "element_body.h"
+#include "support/element_body.h"
 #include "ricochet/base/exceptions.h"
-#include "ricochet/dynamics/finite_element_time_step.h"
-#include "ricochet/forces/peridynamic_force.h"
+#include "dynamics/finite_element_time_step.h"
+#include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <gtest/gtest.h>
 

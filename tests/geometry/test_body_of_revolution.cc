@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "random.h"
+#include "support/random.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/geometry/body_of_revolution.h"
 

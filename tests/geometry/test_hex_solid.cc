@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "hexahedra.h"
+#include "support/hexahedra.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/geometry/faceted_surface.h"
 #include "ricochet/geometry/revolved_hexes.h"

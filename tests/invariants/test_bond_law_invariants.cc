@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What every bond law must satisfy with every influence function, whatever its formula.
-#include "body.h"
+#include "support/body.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "hexahedra.h"
+#include "support/hexahedra.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "body.h"
-#include "reference_family.h"
+#include "support/body.h"
+#include "support/reference_family.h"
 
 #include <gtest/gtest.h>
 

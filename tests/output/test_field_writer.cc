@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/field_writer.h"
 
-#include "scratch_directory.h"
+#include "support/scratch_directory.h"
 
 #include <algorithm>
 #include <numeric>
@@ -12,7 +12,7 @@ namespace ricochet
 {
 namespace
 {
-using namespace testing;
+using namespace tests;
 
 /// Rank r owns n + r points; each coordinate and value tells rank, point and time. Every second one
 /// is in the section.

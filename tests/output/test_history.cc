@@ -2,7 +2,7 @@
 #include "ricochet/output/history.h"
 #include "ricochet/output/summary.h"
 
-#include "scratch_directory.h"
+#include "support/scratch_directory.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ namespace ricochet
 {
 namespace
 {
-using namespace testing;
+using namespace tests;
 
 const std::vector<History::Column> columns = {
     {"time", "us"}, {"force normal", "kN"}, {"residual relative", "-"}};

@@ -5,7 +5,7 @@
 #include "ricochet/output/pictures.h"
 #include "ricochet/output/summary.h"
 
-#include "scratch_directory.h"
+#include "support/scratch_directory.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ namespace ricochet
 {
 namespace
 {
-using namespace testing;
+using namespace tests;
 namespace fs = std::filesystem;
 
 /// An environment variable while it lives.

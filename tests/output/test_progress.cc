@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/progress.h"
 
-#include "scratch_directory.h"
+#include "support/scratch_directory.h"
 
 #include <algorithm>
 #include <thread>
@@ -10,7 +10,7 @@ namespace ricochet
 {
 namespace
 {
-using namespace testing;
+using namespace tests;
 
 ProgressState state_at(const double time)
 {

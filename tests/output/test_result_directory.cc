@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/result_directory.h"
 
-#include "scratch_directory.h"
+#include "support/scratch_directory.h"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@ namespace ricochet
 {
 namespace
 {
-using namespace testing;
+using namespace tests;
 namespace fs = std::filesystem;
 
 void touch(const fs::path &path)

@@ -2,7 +2,7 @@
 // The section 'Coupling' and the zone boxes of plates.
 #include "ricochet/scene/scene_reader.h"
 
-#include "scene_text.h"
+#include "support/scene_text.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/parameter_file.h"
 
-#include "scene_text.h"
+#include "support/scene_text.h"
 
 namespace ricochet::tests
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/scene_reader.h"
-#include "scene_text.h"
+#include "support/scene_text.h"
 
 namespace ricochet::tests
 {

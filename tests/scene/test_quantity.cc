@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/scene/entry_patterns.h"
+#include "scene/entry_patterns.h"
 #include "ricochet/scene/quantity.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/scene_reader.h"
 
-#include "ricochet/scene/declarations.h"
-#include "scene_text.h"
+#include "scene/declarations.h"
+#include "support/scene_text.h"
 
 #include <cmath>
 #include <sstream>

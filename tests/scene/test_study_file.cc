@@ -2,7 +2,7 @@
 #include "ricochet/scene/study_file.h"
 
 #include "ricochet/scene/scene_reader.h"
-#include "scene_text.h"
+#include "support/scene_text.h"
 
 #include <cmath>
 

@@ -2,12 +2,12 @@
 // Bars that collide end on (St Venant): the contact lasts until the wave comes back from the free
 // end, 2 L/c with the bar's c = sqrt(E/rho), under the stress rho c v (a wall) or rho c v/2 (an
 // equal bar), and the bars exchange their velocities.
-#include "body.h"
-#include "hexahedra.h"
+#include "support/body.h"
+#include "support/hexahedra.h"
 #include "ricochet/contact/friction_laws.h"
 #include "ricochet/dynamics/elastic_body_time_step.h"
 #include "ricochet/dynamics/stable_time_step.h"
-#include "ricochet/forces/surface_contact.h"
+#include "ricochet/contact/surface_contact.h"
 
 #include <gtest/gtest.h>
 

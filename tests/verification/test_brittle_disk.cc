@@ -2,10 +2,10 @@
 // The brittle disk of the peridynamics manual of LAMMPS (after Silling and Askari 2005): a sphere
 // of 10 mm falls with 100 m/s on a disk of 74 mm x 2.5 mm, 103,110 points. Until the first bond
 // breaks the disk must keep the symmetry of its lattice, then it breaks evenly.
-#include "body.h"
+#include "support/body.h"
 #include "ricochet/contact/friction_laws.h"
-#include "ricochet/forces/debris_contact.h"
-#include "ricochet/forces/projectile_contact.h"
+#include "ricochet/contact/short_range_contact.h"
+#include "ricochet/contact/rigid_contact.h"
 
 #include <gtest/gtest.h>
 

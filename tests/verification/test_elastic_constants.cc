@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Elastic constants of the cubic lattice from the energy of a point under uniform strain.
-#include "body.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 // A rigid steel ball dropped on a block of PMMA, against Hertz: with d the greatest approach,
 //   d = (15 m v^2/(16 E* sqrt R))^(2/5),  F = 4/3 E* sqrt R d^(3/2),  t = 2.943 d/v
 // The ball touches the block on a circle of radius sqrt(R d) = 0.96 mm.
-#include "body.h"
+#include "support/body.h"
 #include "ricochet/contact/friction_laws.h"
-#include "ricochet/forces/projectile_contact.h"
+#include "ricochet/contact/rigid_contact.h"
 
 #include <gtest/gtest.h>
 

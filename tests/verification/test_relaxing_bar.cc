@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A peridynamic bar whose shear modulus relaxes, pulled at a constant rate, against the Prony
 // solution of uniaxial stress.
-#include "body.h"
-#include "prony_bar.h"
+#include "support/body.h"
+#include "support/prony_bar.h"
 
 #include <gtest/gtest.h>
 

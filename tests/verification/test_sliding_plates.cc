@@ -3,9 +3,9 @@
 // v^2/(2 mu g). Two lattices of points are rough by themselves: rattling over each other they lose
 // as much as with a coefficient of 0.07 to 0.15 (measured with several speeds, loads and shifts
 // across); friction comes on top of that.
-#include "body.h"
+#include "support/body.h"
 #include "ricochet/contact/constant_friction.h"
-#include "ricochet/forces/debris_contact.h"
+#include "ricochet/contact/short_range_contact.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Plane waves and a pulse in a bar against theory and against an independent prototype.
-#include "body.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 

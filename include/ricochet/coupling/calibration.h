@@ -21,7 +21,7 @@
 
 #include "ricochet/coupling/cell_forces.h"
 #include "ricochet/coupling/coupling_method.h"
-#include "ricochet/forces/finite_element_force.h"
+#include "ricochet/finite_elements/finite_element_body.h"
 
 namespace ricochet
 {

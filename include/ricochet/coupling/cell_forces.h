@@ -3,7 +3,7 @@
 // unit strains (11, 22, 33, 23, 13, 12; shear in the engineering sense) at once.
 #pragma once
 
-#include "ricochet/forces/peridynamic_force.h"
+#include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <Eigen/Core>
 

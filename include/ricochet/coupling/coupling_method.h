@@ -4,7 +4,7 @@
 // there.
 #pragma once
 
-#include "ricochet/discretization/zone.h"
+#include "ricochet/peridynamics/zone.h"
 
 #include <array>
 

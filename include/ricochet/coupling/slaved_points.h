@@ -6,9 +6,9 @@
 // different ways; what a rank needs of the other's comes by discretization/node_links.h.
 #pragma once
 
-#include "ricochet/discretization/node_links.h"
-#include "ricochet/forces/finite_element_force.h"
-#include "ricochet/forces/peridynamic_force.h"
+#include "ricochet/finite_elements/node_links.h"
+#include "ricochet/finite_elements/finite_element_body.h"
+#include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <functional>
 

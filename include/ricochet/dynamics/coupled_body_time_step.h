@@ -3,7 +3,7 @@
 // dynamics/power_iteration.h.
 #pragma once
 
-#include "ricochet/coupling/coupled_body.h"
+#include "ricochet/coupling/coupled_projectile_body.h"
 #include "ricochet/dynamics/power_iteration.h"
 
 namespace ricochet

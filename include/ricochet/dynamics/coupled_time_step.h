@@ -2,7 +2,7 @@
 // The largest frequency of a plate of points and elements, see dynamics/power_iteration.h.
 #pragma once
 
-#include "ricochet/coupling/far_field.h"
+#include "ricochet/coupling/coupled_plate.h"
 #include "ricochet/dynamics/power_iteration.h"
 
 namespace ricochet

@@ -3,9 +3,9 @@
 // largest of them the stable time step, without running anything.
 #pragma once
 
-#include "ricochet/coupling/far_field.h"
-#include "ricochet/discretization/stencil.h"
-#include "ricochet/geometry/vector.h"
+#include "ricochet/coupling/coupled_plate.h"
+#include "ricochet/peridynamics/stencil.h"
+#include "ricochet/base/vector.h"
 
 #include <vector>
 

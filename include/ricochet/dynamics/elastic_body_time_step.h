@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ricochet/dynamics/power_iteration.h"
-#include "ricochet/forces/elastic_body.h"
+#include "ricochet/finite_elements/hexahedral_body.h"
 
 namespace ricochet
 {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ricochet/dynamics/power_iteration.h"
-#include "ricochet/forces/peridynamic_force.h"
+#include "ricochet/peridynamics/peridynamic_body.h"
 
 namespace ricochet
 {

@@ -4,7 +4,7 @@
 // axes: x along the axis of revolution towards the tip, origin at the centroid.
 #pragma once
 
-#include "ricochet/geometry/vector.h"
+#include "ricochet/base/vector.h"
 
 #include <array>
 #include <vector>

@@ -3,7 +3,7 @@
 // decide whether it can be computed with: Jacobians, quality, smallest edge, volume, surface.
 #pragma once
 
-#include "ricochet/geometry/vector.h"
+#include "ricochet/base/vector.h"
 
 #include <array>
 #include <vector>

@@ -3,7 +3,7 @@
 // the output floor.
 #pragma once
 
-#include "ricochet/geometry/vector.h"
+#include "ricochet/base/vector.h"
 
 #include <array>
 #include <string>

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Lists the pairs of one body's points whose bond is broken and that may touch.
+#pragma once
+
+#include "ricochet/contact/pair_list.h"
+#include "ricochet/peridynamics/peridynamic_body.h"
+
+namespace ricochet
+{
+/// Distance below which two points touch, given that between them in the reference configuration
+/// and the spacing [m].
+inline double contact_distance(const double reference_distance, const double spacing)
+{
+  return std::min(0.9 * reference_distance, 1.35 * spacing);
+}
+
+class FormerNeighbours
+{
+public:
+  struct Pair
+  {
+    std::int32_t p, q; // flat indices
+    double distance;   // at which they touch [m]
+  };
+
+  /// The body must outlive this object.
+  explicit FormerNeighbours(const PeridynamicForce &body);
+
+  /// Lists all that may touch before either has got further than its reach, anew. `reach`: per
+  /// entry of the lattice's fields [m].
+  void list(const std::vector<double> &reach);
+  /// Adds those whose bond the last evaluation has broken.
+  void add_newly_broken();
+  /// Adds a point and the one at the end of its bond number `offset`, if that is broken.
+  void add(std::ptrdiff_t p, std::size_t offset);
+
+  const PairList<Pair> &pairs() const { return list_; }
+
+private:
+  const PeridynamicForce &body_;
+  std::vector<double> distance_;     // per offset [m]
+  std::vector<std::size_t> offsets_; // in ascending order of their shift
+  PairList<Pair> list_;
+};
+} // namespace ricochet

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Lists the pairs of points that may touch though no bond connects them, for the pair law of
+// forces/debris_contact.h: two points of one body if their bond is broken, or if they never had one
+// and at least one of them is damaged; points of different bodies always.
+//
+// Every few steps all pairs that can touch before the next search are listed: each point may travel
+// its own reach (forces/point_journeys.h). The few points that leave their reach earlier, fragments
+// that something has hit, are searched again one by one; only when they are many, all are. So no
+// contact is missed. Former neighbours need no search in space, their bonds tell who they are.
+// Pairs of two sound points are not listed far from damage; where a point there breaks a bond it is
+// searched again too. Bonds that break are added at once. The lists have one order, so forces do
+// not depend on when and how has been searched.
+#pragma once
+
+#include "ricochet/contact/broken_bond_pairs.h"
+#include "ricochet/contact/contact_skin.h"
+#include "ricochet/contact/contact_ghosts.h"
+
+namespace ricochet
+{
+class DebrisPairs
+{
+public:
+  /// Two points that have never been neighbours, by their numbers among the watched points.
+  struct ForeignPair
+  {
+    std::int32_t a, b;
+    bool one_body;
+    double distance; // at which they touch [m]
+  };
+
+  /// The bodies must outlive this object. `mirrored`: y = 0 is a symmetry plane. `search`: one of
+  /// contact_search_names(); throws InputError for another one.
+  DebrisPairs(MPI_Comm communicator, const Bodies &bodies, bool mirrored,
+              const std::string &search);
+
+  /// Sees to it that all pairs which touch are listed, and brings the watched points up to date;
+  /// ghosts must be. `dt`: the coming step [s], which tells how far points may get before the pairs
+  /// are searched again. Collective.
+  void update(double dt);
+  /// Points have appeared, or changed their flat index or rank: the next update searches all.
+  void bodies_changed() { bodies_changed_ = true; }
+
+  // The lists: pairs that touch and others.
+  const PairList<FormerNeighbours::Pair> &former_neighbours(const std::size_t body) const
+  {
+    return former_neighbours_[body].pairs();
+  }
+  const PairList<ForeignPair> &foreign_pairs() const { return foreign_pairs_; } // by ids
+  const WatchedPoints &watched() const { return watched_; }
+
+  long n_searches() const { return n_searches_; }
+  long n_single_searches() const { return n_single_searches_; }
+
+private:
+  /// A pair that may become one of the lists: a point of this rank and any other.
+  struct NewPair
+  {
+    ContactPoint own, other;
+  };
+
+  void search_all(double dt);
+  void search_again(const std::vector<ContactPoint> &strays);
+  void sort_foreign_pairs();
+  void add(const ContactPoint &one, const ContactPoint &other);
+  void add_foreign_pair(const ContactPoint &lower, const ContactPoint &higher);
+
+  MPI_Comm communicator_;
+  int rank_, n_ranks_;
+  const Bodies &bodies_;
+  bool mirrored_;
+  ContactNumbering numbering_;
+  double spacing_, range_; // the largest dx and d of all bodies [m]
+  std::unique_ptr<ContactSearch> search_;
+  PointJourneys journeys_;
+
+  bool bodies_changed_ = false;
+  long n_searches_ = 0, n_single_searches_ = 0;
+  std::vector<FormerNeighbours> former_neighbours_; // per body
+  PairList<ForeignPair> foreign_pairs_;
+  WatchedPoints watched_;
+};
+} // namespace ricochet

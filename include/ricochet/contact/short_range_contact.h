@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Short-range contact of points that no bond connects (Macek and Silling 2007): debris does not
+// interpenetrate, and bodies touch and rub. Per pair
+//   normal    f_n = k (d - r) for r < d,   d = min(0.9 |X_j - X_i|, 1.35 dx),
+//             k = factor 18 K V^2 / (pi delta^5)
+//   friction  f_t = -mu(v_t) f_n v_t/|v_t|, where v_t is the relative velocity without its part
+//             along the pair
+// equal and opposite. Two points of one body touch if their bond is broken, or if they never had
+// one and at least one of them is damaged; points of different bodies always do
+// (forces/debris_pairs.h).
+//
+// Points do not rotate, so friction between two of them keeps linear momentum to rounding but not
+// angular momentum: what is missing is the couple of the two forces, whose arm is r.
+#pragma once
+
+#include "ricochet/contact/friction_law.h"
+#include "ricochet/peridynamics/plane_sums.h"
+#include "ricochet/contact/contact_pairs.h"
+
+namespace ricochet
+{
+class DebrisContact
+{
+public:
+  struct Friction
+  {
+    const FrictionLaw *law = nullptr; // outlives the contact; none: frictionless
+    double factor          = 1.;      // of the law's coefficient [-]
+    double regularisation_speed =
+        0.; // below it the force falls linearly to zero [m/s], > 0 if used
+  };
+
+  /// `factor` 0 switches the contact off. The bodies must outlive this object. `mirrored`: y = 0 is
+  /// a symmetry plane. `search`: one of contact_search_names(); throws InputError for another one.
+  DebrisContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
+                const std::string &search = "linked cells");
+  DebrisContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
+                const std::string &search, const Friction &friction);
+
+  /// Adds contact forces to the bodies' forces. `dt`: the coming step [s]; it tells how far points
+  /// may get before the pairs are searched again, and how much friction it takes to stop them.
+  /// Collective.
+  void evaluate(double dt);
+
+  /// Adds the work of friction in this step to the ledger: call after the bodies' kick, which is
+  /// `dt` long.
+  void record_work(double dt);
+
+  /// Energy stored in the repulsion, both halves [J]. Collective.
+  double energy() const;
+  /// Work of friction on the points so far, both halves [J]; the heat is minus that. Collective.
+  double friction_work() const;
+
+  /// Pairs that touch; a point and an image count as half of one. Collective.
+  double n_touching() const;
+  /// Points have appeared in a body, or changed their flat index or rank, since the last
+  /// evaluate(); the same on all ranks.
+  void bodies_changed() { pairs_.bodies_changed(); }
+  /// How often all pairs have been searched, and how many points have been searched alone.
+  long n_searches() const { return pairs_.n_searches(); }
+  long n_single_searches() const { return pairs_.n_single_searches(); }
+
+  /// Upper bound of the squared frequency which this contact adds to a point of the body [1/s^2].
+  double squared_frequency(const PeridynamicForce &body) const;
+
+private:
+  using Follower = WatchedPoints::Follower; // flat < 0: not a point of this rank
+
+  /// Two points that touch now, and how.
+  struct Touch
+  {
+    Follower first, second;
+    Vector3 apart, velocity; // of the second relative to the first [m], [m/s]
+    double distance;         // at which they begin to touch [m]
+    double stiffness;        // [N/m]
+    double mass;             // reduced one of the two [kg]
+  };
+  struct Contact
+  {
+    Follower first, second;
+    double energy; // [J]
+  };
+  /// A point of this rank that something rubs against.
+  struct Rubbed
+  {
+    std::ptrdiff_t point;
+    int body;
+    Vector3 force;    // of friction [N]
+    Vector3 velocity; // before the kick [m/s]
+  };
+
+  double stiffness(int body, int other_body) const; // k of a pair [N/m]
+  void push_former_neighbours(std::size_t body, double dt);
+  void push_foreign_pairs(double dt);
+  void push(const Touch &touch, double dt);
+  Vector3 friction(const Vector3 &normal, const Vector3 &velocity, double pressure, double mass,
+                   double dt) const;
+
+  MPI_Comm communicator_;
+  const Bodies &bodies_;
+  double factor_;
+  bool mirrored_;
+  Friction friction_;
+  std::vector<double> stiffness_; // k within each body [N/m]
+  DebrisPairs pairs_;
+  std::vector<std::int32_t> touching_; // workspace
+  std::vector<Contact> contacts_;
+  std::vector<Rubbed> rubbed_;
+  PlaneSums<1> work_; // of friction [J]
+};
+} // namespace ricochet

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Looks after the edge of a peridynamic zone: bonds near it that are stretched half way to their
+// limit say that damage is coming. An adaptive zone then grows, ahead of need; a fixed one is
+// reported as reached, and its results should not be quoted.
+#pragma once
+
+#include "ricochet/coupling/coupled_plate.h"
+
+#include <limits>
+
+namespace ricochet
+{
+class ZoneWatch
+{
+public:
+  /// With the usual time step waves cross less than the watched rim in so many steps.
+  static constexpr int steps_between_looks = 8;
+
+  struct Parameters
+  {
+    double stretch; // of a bond, at which damage is expected [-]
+    bool adaptive;
+    bool rebalance = true; // whether ranks share the points anew as the zone grows
+  };
+
+  /// `far_field` and its points must outlive this object.
+  ZoneWatch(MPI_Comm communicator, FarField &far_field, const Parameters &parameters);
+
+  /// Call once per step, before the points are evaluated, with ghosts up to date. Beyond `furthest`
+  /// along x nothing grows yet [m]. Returns whether elements became points. Collective.
+  bool update(double time, double dt, double furthest = std::numeric_limits<double>::infinity());
+
+  long n_conversions() const { return n_conversions_; }
+  long n_redistributions() const { return n_redistributions_; } // of points over the ranks
+  /// Energy lost in conversions so far, of the plate as computed [J]: lumped masses hold more
+  /// kinetic energy than the points they become.
+  double loss() const { return loss_; }
+  /// When damage first came near an interface that did not give way; negative: never [s].
+  double reached() const { return reached_; }
+
+private:
+  void find_rim();
+  std::vector<Zone::Cell> columns_in_danger();
+  double energy(double dt);
+
+  MPI_Comm communicator_;
+  FarField &far_field_;
+  Parameters parameters_;
+  int rim_width_, brick_; // in cells
+  long n_updates_ = 0, n_conversions_ = 0, n_redistributions_ = 0;
+  double loss_ = 0., reached_ = -1.;
+  std::vector<char> rim_;                       // per cell: within reach of the interface
+  std::vector<Lattice::BlockRange> rim_blocks_; // with points of such cells
+};
+} // namespace ricochet

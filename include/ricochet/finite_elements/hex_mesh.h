@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A box of cubes, finer where asked, cut into one share per rank. Never changes after construction.
+// Neighbouring cubes differ by at most a factor of two in edge; a node in the middle of a larger
+// cube's edge or face is a hanging node and follows the corners of that edge or face, its masters.
+//
+// Nodal values are flat arrays, three numbers in a row per node: first the nodes this rank owns,
+// then its ghosts (owned by other ranks, needed by its elements). Ranks own contiguous ranges of
+// the global numbers. This is the layout of deal.II's LinearAlgebra::distributed::Vector, which
+// stays hidden here.
+#pragma once
+
+#include "ricochet/base/vector.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mpi.h>
+#include <vector>
+
+namespace ricochet
+{
+class HexMesh
+{
+public:
+  struct Region
+  {
+    Vector3 low, high; // corners of a box in the reference configuration [m]
+    int levels;        // cubes that overlap it get edge / 2^levels or finer
+  };
+  struct Box
+  {
+    Vector3 corner;              // of lowest coordinates [m]; y = 0 with a mirror plane
+    double edge;                 // of the largest cubes [m]
+    std::array<int, 3> n;        // largest cubes along x, y, z
+    bool mirror_y;               // symmetry plane at the corner's y
+    std::vector<Region> regions; // to refine
+    /// Cost of a cube with this centre and edge, relative to others, by which cubes are shared
+    /// among the ranks; empty: all cost the same.
+    std::function<unsigned int(const Vector3 &, double)> cost = {};
+  };
+  struct Element
+  {
+    std::array<int, 8> nodes; // local numbers of the corners x + 2 y + 4 z
+    double edge;              // [m]
+  };
+  /// Node k of the list follows its masters: x = sum of weight * x of masters first[k] ...
+  /// first[k + 1] - 1. Masters never hang themselves. Covers all hanging nodes of this rank's
+  /// elements, owned or not.
+  struct HangingNodes
+  {
+    std::vector<int> node;      // local number
+    std::vector<int> first;     // one more entry than nodes
+    std::vector<int> master;    // local number
+    std::vector<double> weight; // 1/2 on edges, 1/4 on faces [-]
+  };
+
+  /// At most so many cubes may be in the coarsest layout, which every rank stores; edges that can
+  /// all be halved together keep below it.
+  static constexpr std::int64_t max_coarse_cells = 300000;
+
+  /// Collective. Throws InputError for an empty box, a region that misses it or has no extent, more
+  /// than max_coarse_cells (name of the remedy in the message), or fewer cubes than ranks.
+  HexMesh(MPI_Comm communicator, const Box &box);
+  ~HexMesh();
+
+  const Box &box() const { return box_; }
+  int n_owned_nodes() const { return n_owned_nodes_; }
+  int n_nodes() const { return static_cast<int>(reference_.size() / 3); } // with ghosts
+  std::int64_t n_global_nodes() const { return n_global_nodes_; }         // hanging ones included
+  std::int64_t n_global_elements() const { return n_global_elements_; }
+  std::int64_t first_owned_node() const { return first_owned_node_; } // its global number
+  std::int64_t global_node(const int node) const
+  {
+    return node < n_owned_nodes_ ? first_owned_node_ + node : ghosts_[node - n_owned_nodes_];
+  }
+  Vector3 reference_position(const int node) const // [m]
+  {
+    return {reference_[3 * node], reference_[3 * node + 1], reference_[3 * node + 2]};
+  }
+  const std::vector<double> &reference() const { return reference_; } // [3 * n_nodes()] [m]
+  const std::vector<Element> &elements() const { return elements_; }  // of this rank
+  Vector3 centre(const Element &element) const                        // reference [m]
+  {
+    return reference_position(element.nodes[0]) + Vector3::Constant(0.5 * element.edge);
+  }
+  const HangingNodes &hanging_nodes() const { return hanging_; }
+  bool on_mirror_plane(const int node) const
+  {
+    return box_.mirror_y && reference_[3 * node + 1] == box_.corner.y();
+  }
+
+  /// Copies owned values to the ranks that have them as ghosts. `values` has 3 * n_nodes() entries.
+  /// Collective.
+  void update_ghosts(double *values) const;
+  /// Hanging nodes take the weighted values of their masters, which must be up to date.
+  void follow_masters(double *values) const;
+  /// The transpose of both: values of hanging nodes are added to their masters', those of ghosts to
+  /// their owners'; hanging nodes and ghosts are zero then. Collective.
+  void add_to_owners(double *values) const;
+
+private:
+  struct Exchange;
+
+  Box box_;
+  int n_owned_nodes_           = 0;
+  std::int64_t n_global_nodes_ = 0, n_global_elements_ = 0, first_owned_node_ = 0;
+  std::vector<double> reference_;
+  std::vector<std::int64_t> ghosts_; // global numbers
+  std::vector<Element> elements_;
+  HangingNodes hanging_;
+  std::unique_ptr<Exchange> exchange_;
+};
+} // namespace ricochet

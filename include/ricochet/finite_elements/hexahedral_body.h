@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A free elastic body of hexahedra of any shape, for projectiles: a few thousand elements that
+// every rank computes whole, so that nothing has to be sent and the result is the same on any
+// number of ranks. See kernels/general_hex_kernel.h for the equations. Owns mesh and state.
+#pragma once
+
+#include "ricochet/bodies/rigid_body.h"
+#include "ricochet/finite_elements/finite_element_body.h"
+#include "ricochet/geometry/hex_solid.h"
+#include "ricochet/kernels/general_hex_kernel.h"
+
+namespace ricochet
+{
+class ElasticBody
+{
+public:
+  struct Options
+  {
+    /// In units of the stiffness with which a cube bends exactly, see FiniteElementForce::Options.
+    double hourglass_coefficient = 1.;
+    const char *instruction_set  = nullptr; // as in hex_kernel()
+    /// Per cell, how much of its strain energy counts; none: all of it. Mass and hourglass control
+    /// stay whole [-].
+    std::vector<double> shares   = {};
+  };
+
+  struct Energies // of the body as computed, without a mirrored half [J]
+  {
+    double kinetic, strain, hourglass;
+  };
+
+  /// At rest in the reference configuration `solid`. `mirrored`: nodes at y = 0 stay there. Throws
+  /// InputError if the processor lacks the instruction set or a cell is folded.
+  ElasticBody(const HexSolid &solid, const FiniteElementMaterial &material, bool mirrored,
+              const Options &options);
+  ElasticBody(const HexSolid &solid, const FiniteElementMaterial &material, bool mirrored);
+  ElasticBody(const ElasticBody &)            = delete;
+  ElasticBody &operator=(const ElasticBody &) = delete;
+
+  /// Puts the body into a rigid motion: its centroid, orientation and spin. Stress free.
+  void set_motion(const RigidBody::Motion &motion);
+  /// Rests in the reference configuration, all forces zero.
+  void rest();
+
+  /// Overwrites `force` with the internal force; with `energy` also the energies.
+  void evaluate(bool energy);
+  /// Kick and drift: v += f kick/m, x += v drift [s].
+  void advance(double kick, double drift);
+
+  /// At the present time with velocities of half a step before, 1/2 m v- . v+, see
+  /// FiniteElementForce::energies(). After evaluate(true), when all forces have been added.
+  Energies energies(double dt) const;
+  double mass() const { return total_mass_; } // as computed [kg]
+
+  /// The rigid motion that the body's is closest to, mass-weighted; with a mirror plane that of
+  /// both halves: centroid, its velocity, the rotation that takes the reference configuration
+  /// nearest to the present one, and the spin with the present angular momentum.
+  RigidBody::Motion rigid_motion() const;
+  /// Of half a step before the present time, without a mirrored half: linear [kg m/s], and angular
+  /// about the origin [kg m^2/s].
+  FiniteElementForce::Momenta momenta() const;
+
+  const HexSolid &solid() const { return solid_; }
+  bool mirrored() const { return mirrored_; }
+  const GeneralHexKernel &kernel() const { return *kernel_; }
+  int n_nodes() const { return static_cast<int>(solid_.nodes.size()); }
+  double node_mass(const int node) const { return mass_[node]; } // [kg]
+  double inverse_mass(const int i) const { return inverse_mass_[i]; }
+
+  // Three numbers per node.
+  std::vector<double> &position() { return position_; } // [m]
+  const std::vector<double> &position() const { return position_; }
+  std::vector<double> &velocity() { return velocity_; } // at the half step [m/s]
+  const std::vector<double> &velocity() const { return velocity_; }
+  std::vector<double> &force() { return force_; } // [N]
+  const std::vector<double> &force() const { return force_; }
+
+private:
+  void build_blocks(double hourglass_stiffness, const std::vector<double> &shares);
+
+  HexSolid solid_;
+  FiniteElementMaterial material_;
+  bool mirrored_;
+  const GeneralHexKernel *kernel_;
+  std::vector<GeneralHexBlock> blocks_;
+  std::vector<double> position_, velocity_, force_;
+  std::vector<double> mass_, inverse_mass_; // per node, per component
+  std::vector<double> strain_energy_, hourglass_energy_;
+  double total_mass_ = 0.;
+  Vector3 centroid_; // of the lumped masses in the reference configuration, both halves [m]
+};
+} // namespace ricochet

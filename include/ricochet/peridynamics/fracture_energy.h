@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Strain energy set free by breaking bonds: the energy of the body with the bonds of the last step
+// minus the energy without them. An independent entry of the energy balance, not what is left over.
+//
+// The leapfrog scheme conserves v-.v+/2 + U(x_n) between the steps, and with it the bilinear form
+// U(x_n, x_n-1) of the bonds that are still there. A bond that breaks at step n therefore takes k
+// e_n e_n-1 / 2 out of the balance and not k e_n^2 / 2; with steps in which a bond stretches by a
+// fifth of its limit the difference is a fifth of the fracture energy. The springs of Maxwell
+// branches go the same way, with e - e_b for e.
+#pragma once
+
+#include "ricochet/peridynamics/plane_sums.h"
+#include "ricochet/peridynamics/peridynamic_body.h"
+
+#include <array>
+
+namespace ricochet
+{
+class FractureEnergy
+{
+public:
+  /// `body` must outlive this object. `mirrored`: y = 0 is a symmetry plane.
+  FractureEnergy(const PeridynamicForce &body, bool mirrored);
+
+  /// Adds what the last evaluate() of the body has broken; `dt` is the step that led there [s].
+  void record(double dt);
+
+  /// Energy released so far, both halves [J], and bonds broken so far, each once. Collective.
+  struct Total
+  {
+    double energy, n_bonds;
+  };
+  Total total(MPI_Comm communicator) const;
+
+private:
+  const PeridynamicForce &body_;
+  double multiplicity_;
+  PlaneSums<2> sums_; // energy, bond ends
+  struct LostTheta
+  {
+    std::ptrdiff_t point;
+    double now, before; // contribution of a broken bond at this step and one step ago [-]
+    std::array<double, max_maxwell_branches> held_before; // of its branches, one step ago [-]
+  };
+  std::vector<LostTheta> lost_theta_; // of owned points
+};
+} // namespace ricochet

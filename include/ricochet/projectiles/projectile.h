@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a simulation asks of its projectile, rigid or deformable. One step is
+//   begin(); touch() each plate; [energies();] advance(); record_work() with each plate
+// All energies, forces and momenta are those of the full model, also with a symmetry plane.
+#pragma once
+
+#include "ricochet/contact/rigid_contact.h"
+#include "ricochet/output/frame.h"
+#include "ricochet/scene/scene.h"
+
+namespace ricochet
+{
+class Projectile
+{
+public:
+  using Motion   = RigidBody::Motion;
+  using Reaction = ProjectileContact::Reaction;
+
+  struct Energies
+  {
+    double kinetic; // [J]
+    double elastic; // stored in its deformation [J]
+  };
+
+  struct Momenta
+  {
+    Vector3 linear;  // [kg m/s]
+    Vector3 angular; // about the origin [kg m^2/s]
+  };
+
+  virtual ~Projectile() = default;
+
+  const BodyOfRevolution &body() const { return body_; } // undeformed
+  double mass() const { return mass_; }                  // [kg]
+
+  /// Of the whole body; of a deformable one the nearest rigid motion.
+  virtual const Motion &motion() const = 0;
+  /// Inclination of the axis to the plane z = 0, positive = nose up [rad].
+  double pitch() const;
+  /// Lowest and highest corner of a box around the body [m].
+  virtual std::pair<Vector3, Vector3> bounding_box() const = 0;
+  virtual SurfaceFrame surface() const                     = 0;
+
+  /// Internal forces at the present time, with `energy` the stored energy too.
+  virtual void begin(bool energy)                                                        = 0;
+  /// Adds the forces of contact to plate number `plate` and to the body. Collective.
+  virtual Reaction touch(std::size_t plate, PeridynamicForce &points)                    = 0;
+  /// Kick and drift; `reaction` of all plates.
+  virtual void advance(const Reaction &reaction, double dt)                              = 0;
+  /// The work of friction in this step on the plate's points, after their kick.
+  virtual void record_work(std::size_t plate, const PeridynamicForce &points, double dt) = 0;
+
+  /// At the present time, before advance().
+  virtual Energies energies(const Reaction &reaction, double dt) const = 0;
+  /// Of half a step before the present time.
+  virtual Momenta momenta() const                                      = 0;
+  /// Work of friction on body and points so far; minus the heat [J]. Collective.
+  virtual double friction_work() const                                 = 0;
+
+  /// Largest squared frequency of the body itself, contact springs included; 0 if rigid [1/s^2].
+  virtual double squared_frequency() const = 0;
+  /// What is computed of it, in words: "1232 hexahedra"; empty if rigid.
+  virtual std::string parts() const        = 0;
+  /// Measured, of the body's internal forces alone [s].
+  virtual double seconds_per_step() const  = 0;
+
+protected:
+  Projectile(const BodyOfRevolution &body, const double mass) : body_(body), mass_(mass) {}
+
+private:
+  BodyOfRevolution body_;
+  double mass_;
+};
+
+/// What a projectile must know of each plate, from top to bottom.
+struct PlateContact
+{
+  ProjectileContact::Parameters parameters;
+  double spacing; // dx [m]
+  int n_planes;   // of the lattice
+};
+
+/// The scene's projectile at its start, its lowest point above the entry point. `law` must outlive
+/// it.
+std::unique_ptr<Projectile> make_projectile(MPI_Comm communicator, const Scene &scene,
+                                            const FrictionLaw &law,
+                                            const std::vector<PlateContact> &plates);
+
+/// The mesh of a deformable projectile in body axes: the scene's own or the generated one, its half
+/// y > 0 in a symmetric scene. Throws InputError if it does not fit the shape.
+HexSolid projectile_mesh(const Scene &scene);
+} // namespace ricochet

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How well points and elements of a scene are tied together, in numbers with limits.
+#pragma once
+
+#include "ricochet/coupling/interface_patch_test.h"
+#include "ricochet/simulation/simulation.h"
+
+#include <algorithm>
+
+namespace ricochet
+{
+struct InterfaceReport
+{
+  // Of the calibrated energy blend; the other methods are known to miss them.
+  static constexpr double most_ghost_force  = 2e-3; // [-]
+  static constexpr double most_strain_error = 2e-3; // [-]
+
+  std::size_t plate; // from 0
+  PatchReport patch;
+  double frequency;         // largest, power-iterated [rad/s]
+  double step_limit;        // 2 / frequency [s]
+  double predicted_limit;   // by the dispersion of lattice and cubes, see dynamics/dispersion.h [s]
+  double time_step;         // of the run [s]
+  double share_of_volume;   // peridynamic [-]
+  double seconds_per_force; // measured, points and elements [s]
+  double seconds_of_points; // measured, points alone [s]
+
+  double share_of_cost() const { return std::min(1., seconds_of_points / seconds_per_force); }
+  bool ghost_good() const { return patch.ghost_force <= most_ghost_force; }
+  bool strain_good() const { return patch.strain_error <= most_strain_error; }
+  bool step_good() const { return time_step < step_limit; }
+  bool good() const { return ghost_good() && strain_good() && step_good(); }
+};
+
+/// Of all plates with an interface; `residual_left` as in patch_test(). Before the first step only.
+/// Collective.
+std::vector<InterfaceReport> interface_reports(MPI_Comm communicator, Simulation &simulation,
+                                               double residual_left = 1e-2);
+
+void print(const std::vector<InterfaceReport> &reports);
+} // namespace ricochet

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// From the parameters of a plate to its lattice, its peridynamic zone and the finite elements
+// around it.
+#pragma once
+
+#include "ricochet/coupling/coupled_plate.h"
+#include "ricochet/scene/scene.h"
+
+#include <limits>
+#include <memory>
+
+namespace ricochet
+{
+struct PlateZone
+{
+  std::unique_ptr<Zone> zone; // null if the plate is peridynamic throughout
+  FarFieldOptions options;
+  double growth_ahead = std::numeric_limits<double>::infinity(); // of the projectile, along x [m]
+  std::string reason;                                            // for the user
+};
+
+/// Points along x, y and z of a plate; with elements a multiple of what their largest cubes hold.
+/// Throws InputError if that changes an extent by more than 5 %.
+std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &plate);
+
+/// `box` is the plate's lattice. Throws InputError if the zone leaves nothing to the elements' side
+/// or cannot be represented.
+PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lattice::Box &box,
+                     const Stencil &stencil);
+} // namespace ricochet

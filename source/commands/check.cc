@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "check.h"
+
+#include "ricochet/base/units.h"
+#include "ricochet/simulation/interface_report.h"
+#include "ricochet/simulation/simulation.h"
+#include "ricochet/output/collective.h"
+#include "ricochet/scene/scene_reader.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+namespace ricochet
+{
+namespace
+{
+using namespace units;
+
+double memory_of_all_ranks(const MPI_Comm communicator)
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  double bytes = 1024. * usage.ru_maxrss;
+  MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_SUM, communicator);
+  return bytes;
+}
+
+std::string in_time_units(const double time)
+{
+  char text[50];
+  if (time >= 1.)
+    std::snprintf(text, sizeof text, "%.4g s", time);
+  else
+    std::snprintf(text, sizeof text, "%.4g us", time / us);
+  return text;
+}
+
+/// The branches, and what is left of the moduli when all that relax have done so.
+void print_relaxation(const Simulation &simulation, const std::size_t plate)
+{
+  const auto &material  = simulation.material(plate);
+  const auto &body      = *simulation.plates()[plate];
+  const double duration = simulation.scene().time.end_time;
+  for (const auto &branch : material.relaxation)
+  {
+    std::printf("  relaxation   %.3g of the shear modulus (%.4g GPa) in %s: ", branch.share,
+                branch.share * material.shear_modulus / GPa, in_time_units(branch.time).c_str());
+    if (acts_as_elastic(branch, duration))
+      std::printf("acts as elastic, a run of %s is less than 1/%.0f of that\n",
+                  in_time_units(duration).c_str(), slowness);
+    else
+      std::printf("%.2g of it left after %s\n", std::exp(-duration / branch.time),
+                  in_time_units(duration).c_str());
+  }
+  if (body.history() == nullptr)
+    return;
+  // The critical stretch is no stress: the strength that it implies relaxes with Young's modulus,
+  // G_c with 3 K + 10 mu.
+  const double K  = material.bulk_modulus,
+               mu = material.shear_modulus *
+                    relaxed_share(body.material().relaxation, std::numeric_limits<double>::max()),
+               E = 9. * K * mu / (3. * K + mu);
+  std::printf("  relaxed      E %.4g GPa, nu %.3f, wave speeds %.0f and %.0f m/s, strength E s_c = "
+              "%.3g MPa\n",
+              E / GPa, (3. * K - 2. * mu) / (6. * K + 2. * mu),
+              std::sqrt((K + 4. / 3. * mu) / material.density), std::sqrt(mu / material.density),
+              E * simulation.critical_stretch(plate) / MPa);
+  std::printf("  history      %.0f bytes per point, %s precision\n",
+              body.history()->bytes_per_point(),
+              body.material().history_precision == HistoryPrecision::single_precision ? "single"
+                                                                                      : "double");
+}
+
+void print_plates(const Simulation &simulation)
+{
+  for (std::size_t i = 0; i < simulation.plates().size(); ++i)
+  {
+    const auto &material = simulation.material(i);
+    const auto &lattice  = simulation.plates()[i]->lattice();
+    const auto &box      = lattice.box();
+    const auto &asked    = simulation.scene().plates[i];
+    const double K = material.bulk_modulus, mu = material.shear_modulus,
+                 E     = 9. * K * mu / (3. * K + mu);
+    const double s_c   = simulation.critical_stretch(i);
+    const double width = box.n[1] * box.spacing * (box.mirror_y ? 2. : 1.);
+    std::printf("plate %zu        %.4g x %.4g x %.4g mm asked, %.4g x %.4g x %.4g mm modelled%s\n",
+                i + 1, asked.length / mm, asked.width / mm, asked.thickness / mm,
+                box.n[0] * box.spacing / mm, width / mm, box.n[2] * box.spacing / mm,
+                box.mirror_y ? ", half of it computed" : "");
+    std::printf("  zone         %s\n", simulation.zones()[i].reason.c_str());
+    if (const auto &far = simulation.far_fields()[i])
+      std::printf(
+          "               peridynamic in %.1f %% of the volume; %lld elements of %.4g to %.4g "
+          "mm, %lld of them around the zone\n",
+          100. * far->zone().n_free_cells() / far->zone().n_cells_in_all(),
+          static_cast<long long>(far->elements().mesh().n_global_elements() -
+                                 far->zone().n_free_cells()),
+          far->zone().points_per_edge() * box.spacing / mm, far->elements().mesh().box().edge / mm,
+          static_cast<long long>(far->zone().n_slaved_cells()));
+    std::printf("  lattice      %d x %d x %d points, spacing %.4g mm, horizon %.4g mm, %zu bonds "
+                "per point\n",
+                box.n[0], box.n[1], box.n[2], box.spacing / mm, lattice.stencil().horizon / mm,
+                2 * lattice.stencil().offsets.size());
+    std::printf("  material     %s: %s, E %.4g GPa, nu %.3f, wave speeds %.0f and %.0f m/s\n",
+                material.name.c_str(), material.bond_model.c_str(), E / GPa,
+                (3. * K - 2. * mu) / (6. * K + 2. * mu),
+                std::sqrt((K + 4. / 3. * mu) / material.density), std::sqrt(mu / material.density));
+    std::printf("  fracture     critical stretch %.4g (%s), implied strength E s_c = %.3g MPa, "
+                "implied G_c = %.3g J/m2\n",
+                s_c, material.critical_stretch > 0. ? "given" : "from G_c", E * s_c / MPa,
+                s_c * s_c *
+                    fracture_energy_per_squared_stretch(lattice.stencil(),
+                                                        bond_law(material.bond_model), K, mu));
+    print_relaxation(simulation, i);
+  }
+}
+} // namespace
+
+bool check(const MPI_Comm communicator, const ParameterFile &file, const CheckOptions &options)
+{
+  const Scene scene = read_scene(file);
+  Simulation simulation(communicator, scene);
+  std::vector<InterfaceReport> interfaces;
+  if (options.coupling)
+    interfaces = interface_reports(communicator, simulation);
+  const bool good     = std::all_of(interfaces.begin(), interfaces.end(),
+                                    [](const InterfaceReport &report) { return report.good(); });
+  const double points = simulation.n_points(), bonds = simulation.n_bonds(),
+               memory = memory_of_all_ranks(communicator);
+  int n_ranks;
+  MPI_Comm_size(communicator, &n_ranks);
+  if (rank_in(communicator) != 0)
+    return good;
+
+  const auto info      = simulation.time_step_info();
+  const double steps   = std::ceil(scene.time.end_time / simulation.dt());
+  const double seconds = steps * info.seconds_per_step;
+  const auto &body     = simulation.projectile().body();
+  std::printf("scene          %s (%s)\n", scene.title.c_str(), file.path().c_str());
+  std::printf("projectile     diameter %.4g mm, length %.4g mm, %.4g g, mean density %.0f kg/m3, "
+              "%.4g m/s, %.4g deg, %.4g kJ\n",
+              body.shape().diameter / mm, body.shape().length / mm, scene.projectile.mass / g,
+              scene.projectile.mass / body.volume(), scene.impact.speed,
+              scene.impact.incidence_angle / deg,
+              0.5e-3 * scene.projectile.mass * scene.impact.speed * scene.impact.speed);
+  if (const std::string parts = simulation.projectile().parts(); !parts.empty())
+    std::printf("  deformable   %s%s, E %.4g GPa, nu %.3f\n", parts.c_str(),
+                scene.symmetric ? " in the half computed" : "",
+                scene.projectile.youngs_modulus / GPa, scene.projectile.poissons_ratio);
+  print_plates(simulation);
+  std::printf("size           %.0f points, %.4g M bonds\n", points, bonds / 1e6);
+  std::printf("memory         %.3g GB on %d rank%s\n", memory / 1e9, n_ranks,
+              n_ranks == 1 ? "" : "s");
+  std::printf("time step      %.4g us (bonds alone would allow %.4g us, contact takes %.0f %% of "
+              "the squared frequency)\n",
+              simulation.dt() / us, scene.time.safety_factor * 2. / info.frequency / us,
+              100. * info.contact_share);
+  if (info.projectile_dt < info.plates_dt)
+    std::printf("  limited by   the projectile; the plates alone would allow %.4g us: a rigid "
+                "projectile takes %.1f times fewer steps\n",
+                info.plates_dt / us, info.plates_dt / info.projectile_dt);
+  std::printf("steps          at most %.0f to %.4g us%s\n", steps, scene.time.end_time / us,
+              scene.time.stop_early ? "; ends when the outcome is decided" : "");
+  std::printf("speed          %.0f M directed bonds/s on %d rank%s (%s)\n",
+              2e-6 * bonds / info.seconds_per_step, n_ranks, n_ranks == 1 ? "" : "s",
+              simulation.plates()[0]->kernel().instruction_set);
+  // Debris contact and output: runs of prm/single_plate take 1.5 to 2.5 times their bond forces.
+  std::printf("time           %.0f s for the bonds, about %.0f s with debris contact and output\n",
+              seconds, 2. * seconds);
+  if (options.coupling)
+    print(interfaces);
+  return good;
+}
+} // namespace ricochet

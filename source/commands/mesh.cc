@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh.h"
+
+#include "ricochet/base/units.h"
+#include "ricochet/projectiles/projectile.h"
+#include "ricochet/dynamics/elastic_body_time_step.h"
+#include "ricochet/output/checked_file.h"
+#include "ricochet/output/collective.h"
+#include "ricochet/scene/mesh_file.h"
+#include "ricochet/scene/scene_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace ricochet
+{
+void mesh(const MPI_Comm communicator, const ParameterFile &file, const MeshOptions &options)
+{
+  using namespace units;
+  Scene scene     = read_scene(file);
+  scene.symmetric = false; // a file holds the whole body
+  const BodyOfRevolution body(scene.projectile.shape);
+  const HexSolid solid = projectile_mesh(scene);
+  on_first_rank(
+      communicator,
+      [&]
+      {
+        double worst = 1., mean = 0.;
+        for (int cell = 0; cell < static_cast<int>(solid.cells.size()); ++cell)
+        {
+          const double quality = scaled_jacobian(solid, cell);
+          worst                = std::min(worst, quality);
+          mean += quality / static_cast<double>(solid.cells.size());
+        }
+        // Steel, if the scene says nothing else.
+        const double E =
+            scene.projectile.youngs_modulus > 0. ? scene.projectile.youngs_modulus : 202. * GPa;
+        const double nu =
+            scene.projectile.youngs_modulus > 0. ? scene.projectile.poissons_ratio : 0.3;
+        const double density = scene.projectile.mass / volume(solid);
+        ElasticBody elastic(solid, {density, E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))},
+                            /*mirrored=*/false);
+        const double step = 2. / std::sqrt(estimate_largest_frequency(elastic).squared_frequency);
+        std::printf("mesh           %zu hexahedra, %zu nodes, %zu faces on the surface\n",
+                    solid.cells.size(), solid.nodes.size(), surface_of(solid).size());
+        std::printf("scaled Jacobian  smallest %.3f, mean %.3f (limit %.2f)\n", worst, mean,
+                    smallest_scaled_jacobian);
+        std::printf("volume         %.2f mm3, %+.2f %% against the shape\n", volume(solid) / 1e-9,
+                    100. * (volume(solid) / body.volume() - 1.));
+        std::printf("smallest edge  %.3f mm\n", smallest_edge(solid) / mm);
+        std::printf("stable step    %.4f us (E %.4g GPa, nu %.3f, %.0f kg/m3)\n", step / us,
+                    E / GPa, nu, density);
+        if (!options.write.empty())
+        {
+          std::ostringstream text;
+          write_mesh(solid, body, mm, text);
+          write_file(options.write, text.str());
+          std::printf("written        %s (gmsh 2.2, mm)\n", options.write.c_str());
+        }
+      });
+}
+} // namespace ricochet

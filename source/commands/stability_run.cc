@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "stability_run.h"
+
+#include "ricochet/base/units.h"
+#include "ricochet/simulation/stability_experiment.h"
+#include "ricochet/output/checked_file.h"
+#include "ricochet/output/collective.h"
+#include "ricochet/output/result_directory.h"
+#include "ricochet/output/summary.h"
+#include "ricochet/scene/scene_reader.h"
+#include "ricochet/scene/stability_reader.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <sstream>
+
+namespace ricochet
+{
+const std::vector<std::string> stability_columns{
+    "verdict",      "reason",       "growth_per_step",         "growth_per_us",
+    "energy_drift", "strain_error", "step_over_measured_limit"};
+
+namespace
+{
+const char *method_name(const CouplingMethod method)
+{
+  for (const auto &entry : coupling_methods)
+    if (entry.method == method)
+      return entry.name;
+  return "";
+}
+} // namespace
+
+nlohmann::ordered_json run_stability(const MPI_Comm communicator, const ParameterFile &file,
+                                     const RunOptions &options)
+{
+  const auto start                      = std::chrono::steady_clock::now();
+  const StabilityParameters parameters  = read_stability(file);
+  const std::filesystem::path directory = parameters.directory;
+  prepare_result_directory(communicator, directory, options.force);
+  on_first_rank(communicator,
+                [&]
+                {
+                  std::ostringstream used;
+                  write_used_parameters(file, used);
+                  write_file(directory / "used.prm", used.str());
+                });
+
+  const auto result = run_stability_experiment(communicator, parameters);
+  nlohmann::ordered_json summary{
+      {"title", parameters.title},
+      {"method", method_name(parameters.coupling.method)},
+      {"verdict", verdict_name(result.verdict)},
+      {"reason", result.reason},
+      {"growth_per_step", result.growth_per_step},
+      {"growth_per_us", result.growth_per_us},
+      {"growth", result.growth},
+      {"ran_away", result.ran_away},
+      {"steps", result.n_steps},
+      {"time_step_us", result.time_step / units::us},
+      {"step_over_measured_limit", result.time_step / result.measured_step},
+      {"predicted_over_measured_limit", result.predicted_step / result.measured_step},
+      {"energy_drift", result.energy_drift},
+      {"hourglass_growth", result.hourglass_growth},
+      {"ghost_force", result.patch.ghost_force},
+      {"strain_error", result.patch.strain_error},
+      {"smallest_eigenvalue", result.smallest_eigenvalue},
+      {"free_points", result.n_points},
+      {"elements", result.n_elements},
+      {"wall_seconds",
+       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
+      {"failed", false},
+      {"interrupted", false}};
+  write_summary(communicator, directory, summary);
+  return summary;
+}
+
+std::string describe_stability(const nlohmann::ordered_json &summary)
+{
+  const auto reason = summary["reason"].get<std::string>();
+  char text[512];
+  std::snprintf(text, sizeof text,
+                "%s%s%s. Kinetic energy grows by %.3g per step (%.3g per us); discrete energy "
+                "drifts by %.2g; strain error %.2g %%, ghost force %.2g M eps h^2; the step is "
+                "%.3f of the largest stable one.",
+                summary["verdict"].get<std::string>().c_str(), reason.empty() ? "" : ": ",
+                reason.c_str(), summary["growth_per_step"].get<double>(),
+                summary["growth_per_us"].get<double>(), summary["energy_drift"].get<double>(),
+                100. * summary["strain_error"].get<double>(), summary["ghost_force"].get<double>(),
+                summary["step_over_measured_limit"].get<double>());
+  return text;
+}
+} // namespace ricochet

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/coupling/adaptive_zone.h"
+
+#include <algorithm>
+
+namespace ricochet
+{
+namespace
+{
+// Free points so near to the interface are looked at: two horizons of three points.
+constexpr int rim_points   = 6;
+// A zone grows by bricks of so many points along x and y: the same few shapes of the interface come
+// again and again, and conversions are few.
+constexpr int brick_points = 8;
+
+int brick_below(const int cell, const int brick)
+{
+  return (cell >= 0 ? cell : cell - brick + 1) / brick * brick;
+}
+} // namespace
+
+ZoneWatch::ZoneWatch(const MPI_Comm communicator, FarField &far_field,
+                     const Parameters &parameters) :
+  communicator_(communicator),
+  far_field_(far_field), parameters_(parameters),
+  rim_width_((rim_points + far_field.zone().points_per_edge() - 1) /
+             far_field.zone().points_per_edge()),
+  brick_(brick_points / far_field.zone().points_per_edge())
+{
+  find_rim();
+}
+
+void ZoneWatch::find_rim()
+{
+  const Zone &zone       = far_field_.zone();
+  const Lattice &lattice = far_field_.points().lattice();
+  rim_                   = zone.rim(rim_width_);
+  std::vector<std::uint8_t> blocks(lattice.size() / Lattice::block_size, 0);
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        if (lattice.free(p) && rim_[zone.number(far_field_.points().cell_of(p))])
+          blocks[p / Lattice::block_size] = 1;
+      });
+  rim_blocks_ = ranges_of_blocks(blocks);
+}
+
+/// Columns of cells with stretched bonds, of all ranks, each once.
+std::vector<Zone::Cell> ZoneWatch::columns_in_danger()
+{
+  const Zone &zone = far_field_.zone();
+  auto &points     = far_field_.points();
+  const int n_y    = zone.n_cells()[1];
+  std::vector<char> columns(static_cast<std::size_t>(zone.n_cells()[0]) * n_y, 0);
+  for (const auto p : points.points_stretched(parameters_.stretch, rim_blocks_))
+    if (points.lattice().free(p))
+      if (const auto cell = points.cell_of(p); rim_[zone.number(cell)])
+        columns[static_cast<std::size_t>(cell[0]) * n_y + cell[1]] = 1;
+  MPI_Allreduce(MPI_IN_PLACE, columns.data(), static_cast<int>(columns.size()), MPI_CHAR, MPI_MAX,
+                communicator_);
+  std::vector<Zone::Cell> found;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c])
+      found.push_back({static_cast<int>(c / n_y), static_cast<int>(c % n_y), 0});
+  return found;
+}
+
+/// Of the plate alone, as the leapfrog scheme conserves it; forces are those of its own.
+double ZoneWatch::energy(const double dt)
+{
+  auto &points = far_field_.points();
+  points.update_ghosts();
+  points.evaluate(/*breaking=*/false, /*energy=*/true, /*is_step=*/false);
+  far_field_.evaluate(/*energy=*/true, /*is_step=*/false);
+  return far_field_.energies(dt).total();
+}
+
+bool ZoneWatch::update(const double time, const double dt, const double furthest)
+{
+  if (n_updates_++ % steps_between_looks != 0 || (!parameters_.adaptive && reached_ >= 0.))
+    return false;
+  const auto columns = columns_in_danger();
+  if (columns.empty())
+    return false;
+  if (!parameters_.adaptive)
+  {
+    reached_ = time;
+    return false;
+  }
+
+  const Zone &zone   = far_field_.zone();
+  const auto &plate  = far_field_.points().lattice().box();
+  const double cells = (furthest - plate.corner.x()) / (zone.points_per_edge() * plate.spacing);
+  const int last_column =
+      brick_below(static_cast<int>(std::min<double>(zone.n_cells()[0], cells)), brick_) + brick_;
+  std::vector<Zone::Cells> boxes;
+  for (const auto &c : columns)
+  {
+    Zone::Cells box = zone.limit();
+    for (int d = 0; d < 2; ++d)
+    {
+      box.low[d]  = brick_below(c[d] - rim_width_, brick_);
+      box.high[d] = brick_below(c[d] + rim_width_, brick_) + brick_;
+    }
+    // What waits for the projectile has not reached its limit.
+    if (reached_ < 0. && !zone.would_grow({box}))
+      reached_ = time;
+    box.high[0] = std::min(box.high[0], last_column);
+    boxes.push_back(box);
+  }
+  if (!zone.would_grow(boxes))
+    return false;
+  // The dilatation of the step before belongs to the fracture energy of the next one.
+  auto &points        = far_field_.points();
+  const auto history  = points.dilatation_history();
+  const double before = energy(dt);
+  far_field_.convert(boxes);
+  loss_ += before - energy(dt);
+  points.restore_dilatation(history);
+  ++n_conversions_;
+  if (parameters_.rebalance)
+    n_redistributions_ += far_field_.rebalance();
+  find_rim();
+  return true;
+}
+} // namespace ricochet

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/coupling/interface_patch_test.h"
+
+#include "ricochet/coupling/cell_forces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ricochet
+{
+namespace
+{
+// Small enough to be linear, large enough that extensions survive the cancellation |xi + eta| -
+// |xi|.
+constexpr double strain = 1e-6;
+
+class Patch
+{
+public:
+  Patch(const MPI_Comm communicator, FarField &plate) :
+    communicator_(communicator), plate_(plate), lattice_(plate.points().lattice()),
+    mesh_(plate.elements().mesh()), a_(plate.points().state().arrays)
+  {
+    const auto &m = plate.elements().material();
+    modulus_      = m.bulk_modulus + 4. / 3. * m.shear_modulus;
+    edge_         = lattice_.zone()->points_per_edge() * lattice_.box().spacing;
+    lattice_.for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          if (lattice_.free(p))
+            points_.push_back(p);
+        });
+    // Stiffness goes like modulus times edge, and mass like the edge to the third.
+    const double of_points = std::cbrt(1. / plate.points().point_mass());
+    for (const auto p : points_)
+      for (int d = 0; d < 3; ++d)
+        softness_.push_back(in_skin(point_at(p)) ? 0. : of_points);
+    for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
+      for (int d = 0; d < 3; ++d)
+        softness_.push_back(in_skin(mesh_.reference_position(node))
+                                ? 0.
+                                : std::cbrt(plate.elements().inverse_mass(node, d)));
+  }
+
+  /// Displaces everything to the gradient H times X plus u, and returns the forces on what is
+  /// released.
+  std::vector<double> forces(const Eigen::Matrix3d &H, const std::vector<double> &u)
+  {
+    std::size_t i = 0;
+    for (const auto p : points_)
+    {
+      const Vector3 X = point_at(p), x = X + H * X;
+      for (int d = 0; d < 3; ++d)
+        a_.position[d][p] = x[d] + u[i++];
+    }
+    auto &elements = plate_.elements();
+    for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
+    {
+      const Vector3 X = mesh_.reference_position(node), x = X + H * X;
+      for (int d = 0; d < 3; ++d)
+        elements.position()[3 * node + d] = x[d] + u[i++];
+    }
+    plate_.lead();
+    plate_.points().update_ghosts();
+    plate_.points().evaluate(/*breaking=*/false, /*energy=*/false, /*is_step=*/false);
+    plate_.add_forces(/*energy=*/false, /*is_step=*/false);
+
+    std::vector<double> f;
+    f.reserve(u.size());
+    for (const auto p : points_)
+      for (const double *component : a_.force)
+        f.push_back(component[p]);
+    f.insert(f.end(), elements.force().begin(),
+             elements.force().begin() + 3 * mesh_.n_owned_nodes());
+    for (std::size_t k = 0; k < f.size(); ++k)
+      f[k] = softness_[k] > 0. ? f[k] : 0.;
+    return f;
+  }
+
+  /// Solves K u = f; returns the number of iterations.
+  int relax(const std::vector<double> &f, const int most_iterations, const double residual_left,
+            std::vector<double> &u)
+  {
+    const Eigen::Matrix3d none   = Eigen::Matrix3d::Zero();
+    // Forces are linear in displacements of this size only.
+    const double size            = strain * edge_;
+    std::vector<double> residual = f, softened = soften(f), direction = softened;
+    double squared       = product(residual, softened);
+    const double at_last = residual_left * residual_left * squared;
+    int iteration        = 0;
+    for (; iteration < most_iterations && squared > at_last; ++iteration)
+    {
+      double largest = 0.;
+      for (const double d : direction)
+        largest = std::max(largest, std::abs(d));
+      MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+      const double scale = size / largest;
+      std::vector<double> moved(direction.size());
+      for (std::size_t k = 0; k < moved.size(); ++k)
+        moved[k] = scale * direction[k];
+      auto image = forces(none, moved); // -K direction scale
+      for (double &value : image)
+        value /= -scale;
+      const double step = squared / product(direction, image);
+      for (std::size_t k = 0; k < u.size(); ++k)
+      {
+        u[k] += step * direction[k];
+        residual[k] -= step * image[k];
+      }
+      softened          = soften(residual);
+      const double next = product(residual, softened), beta = next / squared;
+      squared = next;
+      for (std::size_t k = 0; k < u.size(); ++k)
+        direction[k] = softened[k] + beta * direction[k];
+    }
+    return iteration;
+  }
+
+  /// Largest entry of the gradient of u, over elements and over pairs of neighbouring free points.
+  double largest_gradient(const std::vector<double> &u)
+  {
+    forces(Eigen::Matrix3d::Zero(), u); // puts everything, slaved points too, where it belongs
+    double most = 0.;
+    for (std::size_t e = 0; e < mesh_.elements().size(); ++e)
+      if (plate_.elements().is_active(static_cast<int>(e)))
+        most = std::max(most, (plate_.elements().deformation_gradient(static_cast<int>(e)) -
+                               Eigen::Matrix3d::Identity())
+                                  .cwiseAbs()
+                                  .maxCoeff());
+    const std::ptrdiff_t strides[] = {lattice_.plane_stride(), 1, lattice_.row_stride()};
+    const double spacing           = lattice_.box().spacing;
+    for (const auto p : points_)
+    {
+      const auto c = lattice_.coordinates(p);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const std::ptrdiff_t q = p + strides[axis];
+        if (c[axis] + 1 >= lattice_.box().n[axis] || !lattice_.exists(q))
+          continue;
+        for (int d = 0; d < 3; ++d)
+        {
+          const double apart = a_.position[d][q] - a_.position[d][p] - (d == axis ? spacing : 0.);
+          most               = std::max(most, std::abs(apart) / spacing);
+        }
+      }
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+    return most;
+  }
+
+  double largest(const std::vector<double> &f) const
+  {
+    double most = 0.;
+    for (const double value : f)
+      most = std::max(most, std::abs(value));
+    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+    return most;
+  }
+
+  double force_unit() const { return strain * modulus_ * edge_ * edge_; } // [N]
+  std::size_t size() const { return softness_.size(); }
+
+private:
+  Vector3 point_at(const std::ptrdiff_t p) const
+  {
+    return lattice_.reference_position(lattice_.coordinates(p));
+  }
+  bool in_skin(const Vector3 &X) const
+  {
+    // Points that lack neighbours, or whose neighbours do.
+    const auto &box    = lattice_.box();
+    const double skin  = 2. * lattice_.stencil().reach * box.spacing * (1. + 1e-9);
+    const Vector3 low  = X - box.corner,
+                  high = box.spacing * Vector3(box.n[0], box.n[1], box.n[2]) - low;
+    for (int d = 0; d < 3; ++d)
+      if (high[d] < skin || (low[d] < skin && !(d == 1 && box.mirror_y)))
+        return true;
+    return false;
+  }
+  /// The preconditioner: displacements of about the right size for these forces.
+  std::vector<double> soften(std::vector<double> f) const
+  {
+    for (std::size_t k = 0; k < f.size(); ++k)
+      f[k] *= softness_[k];
+    return f;
+  }
+  double product(const std::vector<double> &x, const std::vector<double> &y) const
+  {
+    double sum = 0.;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      sum += x[i] * y[i];
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    return sum;
+  }
+
+  MPI_Comm communicator_;
+  FarField &plate_;
+  const Lattice &lattice_;
+  const HexMesh &mesh_;
+  LatticeArrays &a_;
+  double modulus_, edge_;              // M [Pa], h [m]
+  std::vector<std::ptrdiff_t> points_; // free ones
+  // Per component of points_, then of owned nodes: like the inverse of its stiffness; 0 if held.
+  std::vector<double> softness_;
+};
+} // namespace
+
+PatchReport patch_test(const MPI_Comm communicator, FarField &plate, const int most_iterations,
+                       const double residual_left)
+{
+  Patch patch(communicator, plate);
+  const bool mirrored = plate.points().lattice().box().mirror_y;
+  PatchReport report{0., most_iterations > 0 ? 0. : std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  const std::vector<double> nothing(patch.size(), 0.);
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j)
+    {
+      if (mirrored && i != j && (i == 1 || j == 1))
+        continue;
+      Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+      H(i, j) = H(j, i)  = i == j ? strain : 0.5 * strain;
+      const auto f       = patch.forces(H, nothing);
+      report.ghost_force = std::max(report.ghost_force, patch.largest(f) / patch.force_unit());
+      ++report.n_strains;
+      if (most_iterations <= 0)
+        continue;
+      auto u = nothing;
+      report.n_iterations += patch.relax(f, most_iterations, residual_left, u);
+      report.strain_error = std::max(report.strain_error, patch.largest_gradient(u) / strain);
+    }
+  patch.forces(Eigen::Matrix3d::Zero(), nothing);
+  plate.rest();
+  return report;
+}
+} // namespace ricochet

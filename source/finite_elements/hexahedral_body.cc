@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/finite_elements/hexahedral_body.h"
+
+#include "ricochet/base/exceptions.h"
+#include "ricochet/bodies/nearest_rigid_motion.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet
+{
+namespace
+{
+constexpr int block_size = 8;
+
+Eigen::Map<const Vector3> at(const std::vector<double> &values, const int node)
+{
+  return Eigen::Map<const Vector3>(values.data() + 3 * node);
+}
+
+double youngs_modulus(const FiniteElementMaterial &m)
+{
+  return 9. * m.bulk_modulus * m.shear_modulus / (3. * m.bulk_modulus + m.shear_modulus);
+}
+} // namespace
+
+ElasticBody::ElasticBody(const HexSolid &solid, const FiniteElementMaterial &material,
+                         const bool mirrored) :
+  ElasticBody(solid, material, mirrored, Options())
+{
+}
+
+ElasticBody::ElasticBody(const HexSolid &solid, const FiniteElementMaterial &material,
+                         const bool mirrored, const Options &options) :
+  solid_(solid),
+  material_(material), mirrored_(mirrored), kernel_(general_hex_kernel(options.instruction_set)),
+  position_(3 * solid.nodes.size()), velocity_(position_.size(), 0.), force_(position_.size(), 0.),
+  mass_(solid.nodes.size(), 0.), inverse_mass_(position_.size()),
+  strain_energy_(solid.cells.size(), 0.), hourglass_energy_(strain_energy_)
+{
+  if (kernel_ == nullptr)
+    throw InputError(std::string("This processor does not have the instruction set '") +
+                     options.instruction_set + "'.");
+  build_blocks(options.hourglass_coefficient * youngs_modulus(material), options.shares);
+  centroid_ = Vector3::Zero();
+  for (int node = 0; node < n_nodes(); ++node)
+  {
+    total_mass_ += mass_[node];
+    centroid_ += mass_[node] * solid_.nodes[node];
+    for (int d = 0; d < 3; ++d)
+      inverse_mass_[3 * node + d] = mass_[node] > 0. ? 1. / mass_[node] : 0.;
+    if (mirrored && solid_.nodes[node].y() == 0.)
+      inverse_mass_[3 * node + 1] = 0.;
+  }
+  centroid_ /= total_mass_;
+  if (mirrored)
+    centroid_.y() = 0.;
+  rest();
+}
+
+void ElasticBody::build_blocks(const double hourglass_stiffness, const std::vector<double> &shares)
+{
+  const std::size_t n = solid_.cells.size();
+  blocks_.resize((n + block_size - 1) / block_size);
+  for (std::size_t i = 0; i < blocks_.size() * block_size; ++i)
+  {
+    const auto &corners = solid_.cells[std::min(i, n - 1)];
+    auto &block         = blocks_[i / block_size];
+    const int lane      = i % block_size;
+    Eigen::Matrix<double, 3, 8> X;
+    for (int a = 0; a < 8; ++a)
+    {
+      block.entry[a][lane] = 3 * corners[a];
+      X.col(a)             = solid_.nodes[corners[a]];
+    }
+    const int cell          = static_cast<int>(std::min(i, n - 1));
+    const CellIntegrals sum = integrals(solid_, cell);
+    if (!(sum.volume > 0.) || !(sum.shape.minCoeff() > 0.))
+      throw InputError("Hexahedron " + std::to_string(cell + 1) +
+                       " of the mesh is folded: its volume or a part of it is not positive.\n  "
+                       "Mesh the body again with better elements.");
+    if (i < n)
+      for (int a = 0; a < 8; ++a)
+        mass_[corners[a]] += material_.density * sum.shape[a];
+
+    const Eigen::Matrix<double, 8, 3> B = sum.gradient / sum.volume;
+    constexpr int axes[7]               = {1, 2, 4, 6, 5, 3, 7}; // bits of r, s, t, st, rt, rs, rst
+    for (int m = 0; m < 7; ++m)
+    {
+      Eigen::Matrix<double, 8, 1> gamma;
+      for (int a = 0; a < 8; ++a)
+      {
+        gamma[a] = 1.;
+        for (int d = 0; d < 3; ++d)
+          if ((axes[m] >> d) & 1)
+            gamma[a] *= (a >> d) & 1 ? 1. : -1.;
+      }
+      const Vector3 gradient = B.transpose() * gamma / 8., reference = X * gamma;
+      for (int d = 0; d < 3; ++d)
+      {
+        block.gradient[m][d][lane] = gradient[d];
+        if (m >= 3)
+          block.reference[m - 3][d][lane] = reference[d];
+      }
+    }
+    block.volume[lane]  = (shares.empty() ? 1. : shares[cell]) * sum.volume;
+    // E h/48 and E h/144 on a cube, where V B : B = 3 h/2.
+    const double size   = sum.volume * B.squaredNorm() / 1.5;
+    block.bending[lane] = hourglass_stiffness * size / 48.;
+    block.warping[lane] = hourglass_stiffness * size / 144.;
+  }
+}
+
+void ElasticBody::set_motion(const RigidBody::Motion &motion)
+{
+  for (int node = 0; node < n_nodes(); ++node)
+  {
+    const Vector3 arm = motion.orientation * (solid_.nodes[node] - centroid_);
+    Vector3 x         = motion.position + arm;
+    Vector3 v         = motion.velocity + motion.spin.cross(arm);
+    if (mirrored_ && inverse_mass_[3 * node + 1] == 0.)
+      x.y() = v.y() = 0.;
+    for (int d = 0; d < 3; ++d)
+    {
+      position_[3 * node + d] = x[d];
+      velocity_[3 * node + d] = v[d];
+    }
+  }
+}
+
+void ElasticBody::rest()
+{
+  for (int node = 0; node < n_nodes(); ++node)
+    for (int d = 0; d < 3; ++d)
+      position_[3 * node + d] = solid_.nodes[node][d];
+  std::fill(velocity_.begin(), velocity_.end(), 0.);
+  std::fill(force_.begin(), force_.end(), 0.);
+}
+
+void ElasticBody::evaluate(const bool energy)
+{
+  std::fill(force_.begin(), force_.end(), 0.);
+  const double mu = material_.shear_modulus, lambda = material_.bulk_modulus - 2. / 3. * mu;
+  const HexArrays arrays{position_.data(), force_.data(), strain_energy_.data(),
+                         hourglass_energy_.data()};
+  const GeneralHexGroup group{blocks_.data(), static_cast<int64_t>(solid_.cells.size()), lambda,
+                              mu};
+  (energy ? kernel_->one_point_and_energy : kernel_->one_point)(arrays, group);
+}
+
+void ElasticBody::advance(const double kick, const double drift)
+{
+  hex_kernel(kernel_->instruction_set)
+      ->advance(position_.data(), velocity_.data(), force_.data(), inverse_mass_.data(),
+                static_cast<int64_t>(position_.size()), kick, drift);
+}
+
+ElasticBody::Energies ElasticBody::energies(const double dt) const
+{
+  Energies e{0., 0., 0.};
+  for (int node = 0; node < n_nodes(); ++node)
+    for (int i = 3 * node; i < 3 * node + 3; ++i)
+      e.kinetic +=
+          0.5 * mass_[node] * velocity_[i] * (velocity_[i] + dt * force_[i] * inverse_mass_[i]);
+  for (std::size_t cell = 0; cell < strain_energy_.size(); ++cell)
+  {
+    e.strain += strain_energy_[cell];
+    e.hourglass += hourglass_energy_[cell];
+  }
+  return e;
+}
+
+FiniteElementForce::Momenta ElasticBody::momenta() const
+{
+  FiniteElementForce::Momenta m{Vector3::Zero(), Vector3::Zero()};
+  for (int node = 0; node < n_nodes(); ++node)
+  {
+    const Vector3 p = mass_[node] * at(velocity_, node);
+    m.linear += p;
+    m.angular += at(position_, node).cross(p);
+  }
+  return m;
+}
+
+RigidBody::Motion ElasticBody::rigid_motion() const
+{
+  return nearest_rigid_motion(mass_, solid_.nodes, position_, velocity_, mirrored_);
+}
+} // namespace ricochet

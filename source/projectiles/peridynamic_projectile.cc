@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "peridynamic_projectile.h"
+
+#include "ricochet/base/exceptions.h"
+#include "ricochet/dynamics/coupled_body_time_step.h"
+#include "ricochet/bodies/nearest_rigid_motion.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace ricochet
+{
+namespace
+{
+/// Nodes on the outer faces only, numbered anew.
+struct Skin
+{
+  std::vector<Vector3> nodes;
+  std::vector<int> mesh_nodes; // their numbers in the mesh
+  std::vector<SurfaceQuad> faces;
+
+  Skin(const HexSolid &mesh, const bool mirrored) : faces(outer_faces(mesh, mirrored))
+  {
+    std::vector<int> number(mesh.nodes.size(), -1);
+    for (auto &quad : faces)
+      for (int &node : quad)
+      {
+        if (number[node] < 0)
+        {
+          number[node] = static_cast<int>(nodes.size());
+          nodes.push_back(mesh.nodes[node]);
+          mesh_nodes.push_back(node);
+        }
+        node = number[node];
+      }
+  }
+};
+
+CoupledBody::Parameters parameters_of(const Scene &scene)
+{
+  const auto &p  = scene.projectile;
+  const double E = p.youngs_modulus, nu = p.poissons_ratio;
+  return {p.spacing,
+          scene.symmetric ? p.mass / 2. : p.mass,
+          &bond_law("linear peridynamic solid"),
+          E / (3. * (1. - 2. * nu)),
+          E / (2. * (1. + nu)),
+          scene.symmetric,
+          p.model == ProjectileModel::peridynamic_nose ? p.peridynamic_length
+                                                       : std::numeric_limits<double>::infinity()};
+}
+} // namespace
+
+PeridynamicProjectile::PeridynamicProjectile(const MPI_Comm communicator, const Scene &scene,
+                                             const HexSolid &mesh, const Motion &start,
+                                             const FrictionLaw &law,
+                                             const std::vector<PlateContact> &plates) :
+  DeformableProjectile(communicator, scene, Skin(mesh, scene.symmetric).nodes,
+                       Skin(mesh, scene.symmetric).faces, law, plates),
+  mirrored_(scene.symmetric),
+  body_(std::make_unique<CoupledBody>(body(), mesh, parameters_of(scene)))
+{
+  const Skin skin(mesh, mirrored_);
+  build_skin(skin.nodes, skin.mesh_nodes);
+
+  // |W^T k W| <= the largest row sum times the largest column sum.
+  const auto &mass_points = body_->mass_points();
+  std::vector<double> row(skin.nodes.size(), 0.), column(mass_points.size(), 0.);
+  for (const auto &support : skin_)
+    row[support.node] += std::abs(support.weight);
+  for (const auto &support : skin_)
+    column[support.mass_point] +=
+        contact_stiffness(support.node) * std::abs(support.weight) * row[support.node];
+  double contact = 0.;
+  for (std::size_t i = 0; i < column.size(); ++i)
+    contact = std::max(contact, column[i] / mass_points[i].mass);
+  const auto estimate = estimate_largest_frequency(*body_);
+  squared_frequency_  = estimate.squared_frequency + contact;
+  seconds_per_step_   = estimate.seconds_per_force;
+  place(start);
+  begin_motion();
+}
+
+std::string PeridynamicProjectile::parts() const
+{
+  std::ostringstream text;
+  text << body_->points().size() << " points";
+  if (body_->elements() != nullptr)
+    text << " in front of " << body_->n_elements() << " hexahedra (overlap "
+         << 1e3 * body_->overlap().length << " mm, ghost force " << std::setprecision(2)
+         << body_->overlap().ghost << ")";
+  return text.str();
+}
+
+void PeridynamicProjectile::build_skin(const std::vector<Vector3> &nodes,
+                                       const std::vector<int> &mesh_nodes)
+{
+  const double spacing = body_->spacing();
+  skin_position_.assign(3 * nodes.size(), 0.);
+  skin_velocity_ = skin_force_ = skin_position_;
+  const auto &points           = body_->points();
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+  {
+    if (const int own = body_->mass_point_of(mesh_nodes[node]); own >= 0)
+    {
+      skin_.push_back({static_cast<int>(node), own, false, 1.});
+      continue;
+    }
+    // The smallest neighbourhood that tells a linear motion well: at a sharp tip the points end
+    // before the skin does.
+    for (double range = 2.; skin_.empty() || skin_.back().node != static_cast<int>(node);
+         range += 0.5)
+    {
+      if (range > 10.)
+        throw InputError("The points of the projectile do not reach its surface.\n  Lower "
+                         "'Projectile/Grid spacing'.");
+      std::vector<std::pair<int, bool>> around; // points, their images
+      std::vector<double> weights;
+      std::vector<Eigen::Vector4d> base;
+      Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
+      double total            = 0.;
+      for (std::size_t p = 0; p < points.size(); ++p)
+        for (const bool image : {false, true})
+        {
+          if (image && !mirrored_)
+            continue;
+          Vector3 arm = points[p].reference;
+          if (image)
+            arm.y() = -arm.y();
+          arm               = (arm - nodes[node]) / spacing;
+          const double away = arm.norm() / range;
+          if (away >= 1.)
+            continue;
+          const double q = (1. - away) * (1. - away);
+          base.emplace_back(1., arm[0], arm[1], arm[2]);
+          around.emplace_back(static_cast<int>(p), image);
+          weights.push_back(q);
+          moments += q * base.back() * base.back().transpose();
+          total += q;
+        }
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(moments);
+      if (around.size() < 8 || solver.eigenvalues()[0] < 0.02 * total)
+        continue;
+      const Eigen::Vector4d coefficients = moments.ldlt().solve(Eigen::Vector4d::Unit(0));
+      for (std::size_t i = 0; i < around.size(); ++i)
+      {
+        weights[i] *= coefficients.dot(base[i]);
+        for (const auto &[mass_point, share] : points[around[i].first].follows)
+          skin_.push_back(
+              {static_cast<int>(node), mass_point, around[i].second, share * weights[i]});
+      }
+    }
+  }
+}
+
+void PeridynamicProjectile::place(const Motion &start)
+{
+  for (const auto &point : body_->mass_points())
+  {
+    const Vector3 arm = start.orientation * point.reference;
+    const Vector3 x = start.position + arm, v = start.velocity + start.spin.cross(arm);
+    for (int d = 0; d < 3; ++d)
+    {
+      const bool held    = point.mobility[d] == 0.; // on the symmetry plane
+      *point.position[d] = held ? 0. : x[d];
+      *point.velocity[d] = held ? 0. : v[d];
+    }
+  }
+  body_->lead();
+  pull_skin();
+}
+
+void PeridynamicProjectile::pull_skin()
+{
+  std::fill(skin_position_.begin(), skin_position_.end(), 0.);
+  std::fill(skin_velocity_.begin(), skin_velocity_.end(), 0.);
+  for (const auto &support : skin_)
+    for (int d = 0; d < 3; ++d)
+    {
+      const double weight = support.image && d == 1 ? -support.weight : support.weight;
+      const auto &point   = body_->mass_points()[support.mass_point];
+      skin_position_[3 * support.node + d] += weight * *point.position[d];
+      skin_velocity_[3 * support.node + d] += weight * *point.velocity[d];
+    }
+}
+
+void PeridynamicProjectile::begin(const bool energy)
+{
+  body_->evaluate(energy);
+  std::fill(skin_force_.begin(), skin_force_.end(), 0.);
+}
+
+void PeridynamicProjectile::receive()
+{
+  for (const auto &support : skin_)
+    for (int d = 0; d < 3; ++d)
+    {
+      const double weight = support.image && d == 1 ? -support.weight : support.weight;
+      *body_->mass_points()[support.mass_point].force[d] +=
+          weight * skin_force_[3 * support.node + d];
+    }
+  std::fill(skin_force_.begin(), skin_force_.end(), 0.);
+}
+
+void PeridynamicProjectile::move(const double dt)
+{
+  body_->advance(dt);
+  pull_skin();
+}
+
+Projectile::Motion PeridynamicProjectile::nearest_motion() const
+{
+  std::vector<double> mass, position, velocity;
+  std::vector<Vector3> reference;
+  for (const auto &point : body_->mass_points())
+  {
+    mass.push_back(point.mass);
+    reference.push_back(point.reference);
+    for (int d = 0; d < 3; ++d)
+    {
+      position.push_back(*point.position[d]);
+      velocity.push_back(*point.velocity[d]);
+    }
+  }
+  return nearest_rigid_motion(mass, reference, position, velocity, mirrored_);
+}
+
+Projectile::Energies PeridynamicProjectile::energies(const Reaction &, const double dt) const
+{
+  Energies e{0., multiplicity() * body_->stored_energy()};
+  for (const auto &point : body_->mass_points())
+    for (int d = 0; d < 3; ++d)
+      e.kinetic += multiplicity() * 0.5 * *point.velocity[d] *
+                   (point.mass * *point.velocity[d] + dt * *point.force[d]);
+  return e;
+}
+
+Projectile::Momenta PeridynamicProjectile::momenta() const
+{
+  Momenta m{Vector3::Zero(), Vector3::Zero()};
+  for (const auto &point : body_->mass_points())
+  {
+    const Vector3 x(*point.position[0], *point.position[1], *point.position[2]),
+        v(*point.velocity[0], *point.velocity[1], *point.velocity[2]);
+    m.linear += point.mass * v;
+    m.angular += point.mass * x.cross(v);
+  }
+  if (mirrored_)
+    m = {2. * Vector3(m.linear.x(), 0., m.linear.z()), 2. * Vector3(0., m.angular.y(), 0.)};
+  return m;
+}
+} // namespace ricochet

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A projectile of peridynamic points that do not break, all of it or its front part with a shank of
+// finite elements behind (coupling/coupled_body.h): a lattice in the projectile's own axes, cut to
+// its shape, which flies rotated. Plates touch a skin, the faceted surface of the shape, not the
+// points' steps: each node of the skin follows the points around it by weights that reproduce every
+// linear motion (moving least squares), or is a node of the elements, and its force goes back by
+// the same weights, so that force, moment and work are kept. Friction is therefore that of all
+// projectiles.
+#pragma once
+
+#include "ricochet/coupling/coupled_projectile_body.h"
+#include "deformable_projectile.h"
+
+namespace ricochet
+{
+class PeridynamicProjectile : public DeformableProjectile
+{
+public:
+  /// `mesh` gives the skin and the elements, if any; `start` is the motion of the origin of the
+  /// body axes. Throws InputError as CoupledBody does.
+  PeridynamicProjectile(MPI_Comm communicator, const Scene &scene, const HexSolid &mesh,
+                        const Motion &start, const FrictionLaw &law,
+                        const std::vector<PlateContact> &plates);
+
+  void begin(bool energy) override;
+  Energies energies(const Reaction &reaction, double dt) const override;
+  Momenta momenta() const override;
+
+  double squared_frequency() const override { return squared_frequency_; }
+  std::string parts() const override;
+  double seconds_per_step() const override { return seconds_per_step_; }
+
+private:
+  /// A mass point that a node of the skin follows.
+  struct Support
+  {
+    int node, mass_point;
+    bool image;    // its image across y = 0
+    double weight; // [-]
+  };
+
+  SurfaceNodes nodes() override { return {skin_position_, skin_velocity_, skin_force_}; }
+  void receive() override;
+  void move(double dt) override;
+  Motion nearest_motion() const override;
+
+  void build_skin(const std::vector<Vector3> &nodes, const std::vector<int> &mesh_nodes);
+  void place(const Motion &start);
+  void pull_skin();
+
+  bool mirrored_;
+  std::unique_ptr<CoupledBody> body_; // whole on every rank
+  std::vector<Support> skin_;         // by node
+  std::vector<double> skin_position_, skin_velocity_, skin_force_;
+  double squared_frequency_ = 0., seconds_per_step_ = 0.;
+};
+} // namespace ricochet

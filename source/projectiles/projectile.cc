@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/projectiles/projectile.h"
+
+#include "ricochet/base/exceptions.h"
+#include "finite_element_projectile.h"
+#include "peridynamic_projectile.h"
+#include "rigid_projectile.h"
+#include "ricochet/geometry/revolved_hexes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace ricochet
+{
+namespace
+{
+/// The motion at the start; where the centroid is remains open.
+Projectile::Motion start_of(const ImpactParameters &impact)
+{
+  const double inclination = impact.incidence_angle - impact.attack_angle; // of the axis, nose down
+  Projectile::Motion start;
+  start.position    = Vector3::Zero();
+  start.orientation = Eigen::AngleAxisd(inclination, Vector3::UnitY());
+  start.velocity    = impact.speed *
+                   Vector3(std::cos(impact.incidence_angle), 0., -std::sin(impact.incidence_angle));
+  start.spin = Vector3::Zero();
+  return start;
+}
+
+/// From the centroid to the lowest point [m].
+Vector3 lowest_point(const BodyOfRevolution &body, const Eigen::Quaterniond &orientation)
+{
+  const Vector3 axis = orientation * Vector3::UnitX();
+  Vector3 down       = -(Vector3::UnitZ() - axis.z() * axis);
+  down               = down.norm() > 1e-9 ? Vector3(down.normalized()) : Vector3(Vector3::Zero());
+  Vector3 lowest     = Vector3::Constant(std::numeric_limits<double>::max());
+  for (const auto &[x, r] : body.profile(200))
+    if (const Vector3 point = x * axis + r * down; point.z() < lowest.z())
+      lowest = point;
+  return lowest;
+}
+
+/// Height of the lowest node above the origin of the body axes [m].
+double lowest_node(const HexSolid &mesh, const Eigen::Quaterniond &orientation)
+{
+  double lowest = std::numeric_limits<double>::max();
+  for (const auto &X : mesh.nodes)
+    lowest = std::min(lowest, (orientation * X).z());
+  return lowest;
+}
+
+/// Moves the base of a mesh to that of the shape and compares their extents.
+HexSolid fitted(HexSolid mesh, const BodyOfRevolution &body)
+{
+  Vector3 low = mesh.nodes[0], high = low;
+  for (const auto &x : mesh.nodes)
+  {
+    low  = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const double length = body.shape().length, diameter = body.shape().diameter;
+  const double z             = std::max(std::abs(low.z()), std::abs(high.z())),
+               y             = std::max(std::abs(low.y()), std::abs(high.y()));
+  constexpr double tolerance = 0.06; // a coarse polygon instead of a circle
+  if (std::abs(high.x() - low.x() - length) > tolerance * length ||
+      std::abs(2. * z - diameter) > tolerance * diameter ||
+      std::abs(2. * y - diameter) > tolerance * diameter)
+  {
+    std::ostringstream message;
+    message << "The mesh of the projectile does not fit its shape: the mesh is "
+            << 1e3 * (high.x() - low.x()) << " mm long (x) and reaches " << 1e3 * y << " and "
+            << 1e3 * z << " mm from the axis (y, z); the shape is " << 1e3 * length
+            << " mm long with a radius of " << 500. * diameter
+            << " mm.\n  The axis of the mesh is the x axis, the tip at its upper end; set "
+               "'Projectile/Mesh unit', or correct the lengths.";
+    throw InputError(message.str());
+  }
+  for (auto &x : mesh.nodes)
+    x.x() += body.base_position() - low.x();
+  return mesh;
+}
+} // namespace
+
+double Projectile::pitch() const
+{
+  return std::asin(std::clamp((motion().orientation * Vector3::UnitX()).z(), -1., 1.));
+}
+
+HexSolid projectile_mesh(const Scene &scene)
+{
+  const auto &projectile = scene.projectile;
+  const BodyOfRevolution body(projectile.shape);
+  const HexSolid whole = projectile.mesh.cells.empty() ? revolved_hexes(body, projectile.refinement)
+                                                       : fitted(projectile.mesh, body);
+  return scene.symmetric ? upper_half(whole, 1e-6 * projectile.shape.diameter) : whole;
+}
+
+std::unique_ptr<Projectile> make_projectile(const MPI_Comm communicator, const Scene &scene,
+                                            const FrictionLaw &law,
+                                            const std::vector<PlateContact> &plates)
+{
+  const auto &impact = scene.impact;
+  auto start         = start_of(impact);
+  // Where the origin of the body axes, the centroid of the shape, is.
+  start.position     = Vector3(impact.entry_x, impact.entry_y, impact.clearance) -
+                   lowest_point(BodyOfRevolution(scene.projectile.shape), start.orientation);
+  if (scene.projectile.model == ProjectileModel::rigid)
+    return std::make_unique<RigidProjectile>(communicator, scene, start, law, plates);
+
+  // In the same place; higher only if a corner of the facets, which stands out from the shape,
+  // would lie in the plate.
+  const HexSolid mesh = projectile_mesh(scene);
+  start.position.z()  = std::max(start.position.z(), -lowest_node(mesh, start.orientation));
+  if (scene.projectile.model != ProjectileModel::finite_elements)
+    return std::make_unique<PeridynamicProjectile>(communicator, scene, mesh, start, law, plates);
+  Vector3 centre = centroid(mesh);
+  if (scene.symmetric)
+    centre.y() = 0.;
+  start.position += start.orientation * centre;
+  return std::make_unique<ElasticProjectile>(communicator, scene, mesh, start, law, plates);
+}
+} // namespace ricochet

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "rigid_projectile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet
+{
+RigidProjectile::RigidProjectile(const MPI_Comm communicator, const Scene &scene,
+                                 const Motion &start, const FrictionLaw &law,
+                                 const std::vector<PlateContact> &plates) :
+  Projectile(BodyOfRevolution(scene.projectile.shape), scene.projectile.mass),
+  rigid_(body(), mass(), start, scene.symmetric)
+{
+  for (const auto &plate : plates)
+    contacts_.emplace_back(communicator, law, plate.parameters, scene.symmetric, plate.n_planes);
+}
+
+Projectile::Reaction RigidProjectile::touch(const std::size_t plate, PeridynamicForce &points)
+{
+  return contacts_[plate].evaluate(rigid_, points);
+}
+
+void RigidProjectile::advance(const Reaction &reaction, const double dt)
+{
+  const Vector3 velocity = rigid_.motion().velocity, spin = rigid_.motion().spin;
+  rigid_.advance(reaction.force(), reaction.moment, dt, dt);
+  const auto &after = rigid_.motion();
+  work_ += 0.5 * dt *
+           ((reaction.friction + reaction.shank).dot(velocity + after.velocity) +
+            reaction.friction_moment.dot(spin + after.spin));
+}
+
+void RigidProjectile::record_work(const std::size_t plate, const PeridynamicForce &points,
+                                  const double dt)
+{
+  contacts_[plate].record_work(points, dt);
+}
+
+Projectile::Energies RigidProjectile::energies(const Reaction &reaction, const double dt) const
+{
+  // v- . v+ instead of v . v: for a linear system the leapfrog scheme conserves this sum exactly.
+  const auto &motion  = rigid_.motion();
+  const Vector3 after = motion.velocity + dt / mass() * reaction.force();
+  return {0.5 * mass() * motion.velocity.dot(after) +
+              0.5 * motion.spin.dot(rigid_.angular_momentum() + dt * reaction.moment),
+          0.};
+}
+
+Projectile::Momenta RigidProjectile::momenta() const
+{
+  const Vector3 p = mass() * rigid_.motion().velocity;
+  return {p, rigid_.motion().position.cross(p) + rigid_.angular_momentum()};
+}
+
+double RigidProjectile::friction_work() const
+{
+  double work = work_;
+  for (const auto &contact : contacts_)
+    work += contact.work_on_points();
+  return work;
+}
+
+SurfaceFrame RigidProjectile::surface() const
+{
+  constexpr int n_around = 32;
+  SurfaceFrame frame;
+  const auto profile = body().profile();
+  const auto place   = [&](const double x, const double r, const double angle) -> Vector3
+  {
+    return motion().position +
+           motion().orientation * Vector3(x, r * std::sin(angle), r * std::cos(angle));
+  };
+  for (const auto &[x, r] : profile)
+    for (int i = 0; i < n_around; ++i)
+      frame.vertices.push_back(place(x, r, 2. * M_PI * i / n_around));
+  for (int ring = 0; ring + 1 < static_cast<int>(profile.size()); ++ring)
+    for (int i = 0; i < n_around; ++i)
+    {
+      const int next = (i + 1) % n_around;
+      frame.quads.push_back({ring * n_around + i, ring * n_around + next,
+                             (ring + 1) * n_around + next, (ring + 1) * n_around + i});
+    }
+  for (const auto &[x, r] : profile)
+    frame.outline.push_back(place(x, r, 0.));
+  for (auto point = profile.rbegin(); point != profile.rend(); ++point)
+    frame.outline.push_back(place((*point)[0], (*point)[1], M_PI));
+  return frame;
+}
+} // namespace ricochet

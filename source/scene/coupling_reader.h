@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Entries that the sections Coupling and Stability share.
+#pragma once
+
+#include "ricochet/coupling/coupling_method.h"
+#include "parameters.h"
+
+namespace ricochet
+{
+/// What ties points and elements together. Throws InputError if the blend is wider than 10
+/// horizons.
+CouplingParameters read_coupling(const Parameters &parameters, const std::string &section);
+} // namespace ricochet

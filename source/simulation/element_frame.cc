@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "element_frame.h"
+
+#include <cmath>
+
+namespace ricochet
+{
+namespace
+{
+/// The places of points in the layer above y = 0 that lie in an element: its corners blended.
+void add_section(const std::array<Vector3, 8> &corners, const Vector3 &low, const double edge,
+                 const double spacing, const int body, ElementFrame &frame)
+{
+  const double eta = (0.5 * spacing - low.y()) / edge;
+  if (eta <= 0. || eta >= 1.)
+    return;
+  const int n = static_cast<int>(std::lround(edge / spacing));
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k)
+    {
+      const double at[3] = {(i + 0.5) / n, eta, (k + 0.5) / n};
+      Vector3 x          = Vector3::Zero();
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        double shape = 1.;
+        for (int d = 0; d < 3; ++d)
+          shape *= (corner >> d) & 1 ? at[d] : 1. - at[d];
+        x += shape * corners[corner];
+      }
+      frame.section_position.push_back(x);
+      frame.section_body.push_back(body);
+    }
+}
+} // namespace
+
+void add_elements(const FarField &far_field, const int body, ElementFrame &frame)
+{
+  const auto &elements = far_field.elements();
+  const auto &mesh     = elements.mesh();
+  const auto &lattice  = far_field.points().lattice();
+  const auto &box      = lattice.box();
+  const auto &zone     = far_field.zone();
+  const auto at        = [](const std::vector<double> &values, const int node)
+  { return Vector3(values[3 * node], values[3 * node + 1], values[3 * node + 2]); };
+  for (const auto &element : mesh.elements())
+  {
+    const auto cell     = cell_at(lattice, mesh.centre(element));
+    const bool cellwise = element.edge < 1.5 * zone.points_per_edge() * box.spacing;
+    if (cellwise && (zone.layer(cell) < zone.far() || zone.has_contact(cell)))
+      continue;
+    std::array<Vector3, 8> corners;
+    Vector3 middle = Vector3::Zero(), velocity = Vector3::Zero();
+    for (int c = 0; c < 8; ++c)
+    {
+      corners[c] = at(elements.position(), element.nodes[c]);
+      middle += corners[c] / 8.;
+      velocity += at(elements.velocity(), element.nodes[c]) / 8.;
+    }
+    frame.corners.push_back(corners);
+    frame.displacement.push_back(middle - mesh.centre(element));
+    frame.velocity.push_back(velocity);
+    frame.body.push_back(body);
+    add_section(corners, mesh.reference_position(element.nodes[0]), element.edge, box.spacing, body,
+                frame);
+  }
+}
+} // namespace ricochet
