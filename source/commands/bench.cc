@@ -3,8 +3,8 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
-#include "ricochet/peridynamics/peridynamic_body.h"
 #include "ricochet/output/collective.h"
+#include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <nlohmann/json.hpp>
 
@@ -48,7 +48,7 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
     described.relaxation.assign(branches, {0.541 / std::max(1, branches), 95.4e-6});
     described.history_precision = options.history == "double" ? HistoryPrecision::double_precision
                                                               : HistoryPrecision::single_precision;
-    auto body                   = std::make_unique<PeridynamicForce>(
+    auto body                   = std::make_unique<PeridynamicBody>(
         communicator, 0, Lattice::Box{Vector3::Zero(), stencil.spacing, {n, n, n}, false}, stencil,
         described, options.holes ? sphere : Lattice::Mask{},
         options.instruction_set.empty() ? nullptr : options.instruction_set.c_str());
@@ -67,7 +67,7 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
   const int steps    = std::max(1, static_cast<int>(2e8 / (2. * bonds)));
   int n_ranks;
   MPI_Comm_size(communicator, &n_ranks);
-  const auto rate = [&](PeridynamicForce &timed)
+  const auto rate = [&](PeridynamicBody &timed)
   {
     MPI_Barrier(communicator);
     const auto start = std::chrono::steady_clock::now();

@@ -21,7 +21,7 @@ namespace ricochet
 namespace
 {
 /// The material's own tensor at every Gauss point: the same motion at the price of any tensor.
-void give_own_tensors(FiniteElementForce &body)
+void give_own_tensors(FiniteElementBody &body)
 {
   const double mu = body.material().shear_modulus, lambda = body.material().bulk_modulus - mu / 1.5;
   ElementStiffness stiffness;
@@ -59,7 +59,7 @@ void bench_elements(const MPI_Comm communicator, const ElementBenchOptions &opti
     throw InputError("bench elements: --viscous " + std::to_string(options.branches) +
                      " must lie in 0 to " + std::to_string(max_maxwell_branches) + ".");
   const double edge = 1. * mm;
-  FiniteElementForce::Options force;
+  FiniteElementBody::Options force;
   force.quadrature = options.element == "one point" ? Quadrature::one_point : Quadrature::full;
   force.instruction_set =
       options.instruction_set.empty() ? nullptr : options.instruction_set.c_str();
@@ -71,7 +71,7 @@ void bench_elements(const MPI_Comm communicator, const ElementBenchOptions &opti
     FiniteElementMaterial material{1190., 5.9 * GPa, 2.258 * GPa};
     // PMMA's fast branch, split.
     material.relaxation.assign(branches, {0.541 / std::max(1, branches), 95.4e-6});
-    auto body = std::make_unique<FiniteElementForce>(
+    auto body = std::make_unique<FiniteElementBody>(
         communicator, HexMesh::Box{Vector3::Zero(), edge, {n, n, n}, false, {corner}}, material,
         force);
     if (options.element == "own tensors")
@@ -90,7 +90,7 @@ void bench_elements(const MPI_Comm communicator, const ElementBenchOptions &opti
   const int steps       = std::max(1, static_cast<int>(1e7 / elements));
   int n_ranks;
   MPI_Comm_size(communicator, &n_ranks);
-  const auto rate = [&](FiniteElementForce &timed)
+  const auto rate = [&](FiniteElementBody &timed)
   {
     MPI_Barrier(communicator);
     const auto start = std::chrono::steady_clock::now();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/base/units.h"
 #include "bench_elements.h"
+#include "ricochet/base/units.h"
 #include "ricochet/finite_elements/hexahedral_body.h"
 #include "ricochet/output/collective.h"
 
@@ -67,10 +67,10 @@ void bench_general_elements(const MPI_Comm communicator, const ElementBenchOptio
           cell[a] = ((k + (a >> 2)) * (n + 1) + j + ((a >> 1) & 1)) * (n + 1) + i + (a & 1);
         solid.cells.push_back(cell);
       }
-  ElasticBody::Options body_options;
+  HexahedralBody::Options body_options;
   body_options.instruction_set =
       options.instruction_set.empty() ? nullptr : options.instruction_set.c_str();
-  ElasticBody body(solid, {7850., 168. * GPa, 77.7 * GPa}, /*mirrored=*/false, body_options);
+  HexahedralBody body(solid, {7850., 168. * GPa, 77.7 * GPa}, /*mirrored=*/false, body_options);
   for (std::size_t i = 0; i < body.position().size(); i += 3)
     body.position()[i] *= 1.001;
   const double dt = 0.05e-6; // about a third of the limit

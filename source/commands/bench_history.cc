@@ -3,8 +3,8 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
-#include "ricochet/peridynamics/peridynamic_body.h"
 #include "ricochet/output/collective.h"
+#include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <nlohmann/json.hpp>
 
@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  PeridynamicForce body_;
+  PeridynamicBody body_;
   std::ptrdiff_t end_;
   double start_; // [m]
 };

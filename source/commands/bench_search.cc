@@ -2,11 +2,11 @@
 #include "bench_search.h"
 
 #include "ricochet/base/exceptions.h"
-#include "ricochet/search/hybrid_search.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
 #include "ricochet/scene/quantity.h"
+#include "ricochet/search/hybrid_search.h"
 
 #include <nlohmann/json.hpp>
 

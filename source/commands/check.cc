@@ -2,10 +2,10 @@
 #include "check.h"
 
 #include "ricochet/base/units.h"
-#include "ricochet/simulation/interface_report.h"
-#include "ricochet/simulation/simulation.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/scene/scene_reader.h"
+#include "ricochet/simulation/interface_report.h"
+#include "ricochet/simulation/simulation.h"
 
 #include <sys/resource.h>
 
@@ -93,7 +93,7 @@ void print_plates(const Simulation &simulation)
                 box.n[0] * box.spacing / mm, width / mm, box.n[2] * box.spacing / mm,
                 box.mirror_y ? ", half of it computed" : "");
     std::printf("  zone         %s\n", simulation.zones()[i].reason.c_str());
-    if (const auto &far = simulation.far_fields()[i])
+    if (const auto &far = simulation.coupled_plates()[i])
       std::printf(
           "               peridynamic in %.1f %% of the volume; %lld elements of %.4g to %.4g "
           "mm, %lld of them around the zone\n",

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command line. The one place that catches exceptions.
-#include "ricochet/base/exceptions.h"
 #include "bench.h"
 #include "bench_elements.h"
 #include "bench_history.h"
 #include "bench_search.h"
 #include "check.h"
 #include "mesh.h"
+#include "ricochet/base/exceptions.h"
+#include "ricochet/output/collective.h"
+#include "ricochet/scene/scene_reader.h"
+#include "ricochet/scene/stability_reader.h"
 #include "run.h"
 #include "several_processes.h"
 #include "stability_run.h"
 #include "study.h"
-#include "ricochet/output/collective.h"
-#include "ricochet/scene/scene_reader.h"
-#include "ricochet/scene/stability_reader.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -2,10 +2,10 @@
 #include "mesh.h"
 
 #include "ricochet/base/units.h"
-#include "ricochet/projectiles/projectile.h"
 #include "ricochet/dynamics/elastic_body_time_step.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
+#include "ricochet/projectiles/projectile.h"
 #include "ricochet/scene/mesh_file.h"
 #include "ricochet/scene/scene_reader.h"
 
@@ -40,8 +40,8 @@ void mesh(const MPI_Comm communicator, const ParameterFile &file, const MeshOpti
         const double nu =
             scene.projectile.youngs_modulus > 0. ? scene.projectile.poissons_ratio : 0.3;
         const double density = scene.projectile.mass / volume(solid);
-        ElasticBody elastic(solid, {density, E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))},
-                            /*mirrored=*/false);
+        HexahedralBody elastic(solid, {density, E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))},
+                               /*mirrored=*/false);
         const double step = 2. / std::sqrt(estimate_largest_frequency(elastic).squared_frequency);
         std::printf("mesh           %zu hexahedra, %zu nodes, %zu faces on the surface\n",
                     solid.cells.size(), solid.nodes.size(), surface_of(solid).size());

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run.h"
 
+#include "interruption.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
-#include "ricochet/simulation/damage_report.h"
-#include "ricochet/simulation/interface_report.h"
-#include "interruption.h"
-#include "ricochet/simulation/outcome.h"
-#include "ricochet/simulation/simulation.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/field_writer.h"
@@ -17,6 +13,10 @@
 #include "ricochet/output/result_directory.h"
 #include "ricochet/output/summary.h"
 #include "ricochet/scene/scene_reader.h"
+#include "ricochet/simulation/damage_report.h"
+#include "ricochet/simulation/interface_report.h"
+#include "ricochet/simulation/outcome.h"
+#include "ricochet/simulation/simulation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -321,13 +321,13 @@ private:
     {
       nlohmann::ordered_json z;
       z["zone"]            = simulation_.zones()[i].reason;
-      const auto &far      = simulation_.far_fields()[i];
+      const auto &far      = simulation_.coupled_plates()[i];
       z["share_of_volume"] = far ? double(far->zone().n_free_cells()) /
                                        static_cast<double>(far->zone().n_cells_in_all())
                                  : 1.;
       if (far)
       {
-        const auto &watch         = *simulation_.zone_watches()[i];
+        const auto &watch         = *simulation_.adaptive_zones()[i];
         z["elements"]             = far->elements().mesh().n_global_elements();
         z["slaved_cells"]         = far->zone().n_slaved_cells();
         z["ghost_force"]          = far->calibration().ghost_after;
@@ -368,7 +368,7 @@ private:
     return boxes;
   }
 
-  nlohmann::ordered_json finish(const Verdict &verdict, const bool failed)
+  nlohmann::ordered_json finish(const OutcomeVerdict &verdict, const bool failed)
   {
     const auto &motion        = simulation_.projectile().motion();
     const auto momenta        = simulation_.momenta();

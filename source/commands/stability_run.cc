@@ -2,13 +2,13 @@
 #include "stability_run.h"
 
 #include "ricochet/base/units.h"
-#include "ricochet/simulation/stability_experiment.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/result_directory.h"
 #include "ricochet/output/summary.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/stability_reader.h"
+#include "ricochet/simulation/stability_experiment.h"
 
 #include <nlohmann/json.hpp>
 

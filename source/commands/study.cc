@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "study.h"
 
-#include "ricochet/base/exceptions.h"
 #include "comparison.h"
-#include "run.h"
-#include "stability_run.h"
+#include "ricochet/base/exceptions.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
@@ -13,6 +11,8 @@
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/stability_reader.h"
 #include "ricochet/scene/study_file.h"
+#include "run.h"
+#include "stability_run.h"
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,7 @@
 
 namespace ricochet
 {
-FormerNeighbours::FormerNeighbours(const PeridynamicForce &body) : body_(body)
+BrokenBondPairs::BrokenBondPairs(const PeridynamicBody &body) : body_(body)
 {
   const auto &stencil = body.lattice().stencil();
   for (const auto &offset : stencil.offsets)
@@ -17,7 +17,7 @@ FormerNeighbours::FormerNeighbours(const PeridynamicForce &body) : body_(body)
             [&](const std::size_t k, const std::size_t l) { return shift(k) < shift(l); });
 }
 
-void FormerNeighbours::list(const std::vector<double> &reach)
+void BrokenBondPairs::list(const std::vector<double> &reach)
 {
   constexpr int width          = Lattice::block_size;
   const Lattice &l             = body_.lattice();
@@ -58,7 +58,7 @@ void FormerNeighbours::list(const std::vector<double> &reach)
   list_.n_sorted = list_.pairs.size();
 }
 
-void FormerNeighbours::add_newly_broken()
+void BrokenBondPairs::add_newly_broken()
 {
   body_.for_each_newly_broken_bond(
       [&](const std::ptrdiff_t p, const std::ptrdiff_t q, const std::size_t k)
@@ -68,7 +68,7 @@ void FormerNeighbours::add_newly_broken()
       });
 }
 
-void FormerNeighbours::add(const std::ptrdiff_t p, const std::size_t offset)
+void BrokenBondPairs::add(const std::ptrdiff_t p, const std::size_t offset)
 {
   if ((body_.broken_bonds(p / Lattice::block_size, offset) >> (p % Lattice::block_size)) & 1)
     list_.pairs.push_back(

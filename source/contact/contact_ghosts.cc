@@ -8,7 +8,7 @@
 
 namespace ricochet
 {
-WatchedPoints::WatchedPoints(const MPI_Comm communicator, const Bodies &bodies,
+ContactGhosts::ContactGhosts(const MPI_Comm communicator, const Bodies &bodies,
                              const ContactNumbering &numbering) :
   communicator_(communicator),
   bodies_(bodies), numbering_(numbering)
@@ -17,13 +17,13 @@ WatchedPoints::WatchedPoints(const MPI_Comm communicator, const Bodies &bodies,
   MPI_Comm_size(communicator, &n_ranks_);
 }
 
-void WatchedPoints::clear()
+void ContactGhosts::clear()
 {
   points_.clear();
   numbers_.clear();
 }
 
-std::int32_t WatchedPoints::number_of(const ContactPoint &point)
+std::int32_t ContactGhosts::number_of(const ContactPoint &point)
 {
   const auto [entry, is_new] =
       numbers_.emplace(point.id, static_cast<std::int32_t>(points_.size()));
@@ -32,7 +32,7 @@ std::int32_t WatchedPoints::number_of(const ContactPoint &point)
   return entry->second;
 }
 
-std::vector<std::int32_t> WatchedPoints::sort()
+std::vector<std::int32_t> ContactGhosts::sort()
 {
   std::vector<std::int32_t> order(points_.size()), new_number(points_.size());
   std::iota(order.begin(), order.end(), 0);
@@ -51,7 +51,7 @@ std::vector<std::int32_t> WatchedPoints::sort()
   return new_number;
 }
 
-void WatchedPoints::watch()
+void ContactGhosts::watch()
 {
   std::vector<std::vector<Follower>> asked(n_ranks_);
   watched_of_.assign(n_ranks_, {});
@@ -73,7 +73,7 @@ void WatchedPoints::watch()
   watched_.resize(points_.size());
 }
 
-WatchedPoints::Watched WatchedPoints::look_at(const Follower &follower) const
+ContactGhosts::Watched ContactGhosts::look_at(const Follower &follower) const
 {
   const auto &body = *bodies_[follower.body];
   const auto &a    = body.state().arrays;
@@ -84,7 +84,7 @@ WatchedPoints::Watched WatchedPoints::look_at(const Follower &follower) const
           {a.velocity[0][p], y * a.velocity[1][p], a.velocity[2][p]}};
 }
 
-void WatchedPoints::update()
+void ContactGhosts::update()
 {
   for (std::size_t i = 0; i < followers_.size(); ++i)
     if (followers_[i].flat >= 0)

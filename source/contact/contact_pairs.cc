@@ -27,8 +27,8 @@ Vector3 vector(const double (&x)[3])
 }
 } // namespace
 
-DebrisPairs::DebrisPairs(const MPI_Comm communicator, const Bodies &bodies, const bool mirrored,
-                         const std::string &search) :
+ContactPairs::ContactPairs(const MPI_Comm communicator, const Bodies &bodies, const bool mirrored,
+                           const std::string &search) :
   communicator_(communicator),
   bodies_(bodies), mirrored_(mirrored), numbering_(bodies), spacing_(largest_spacing(bodies)),
   range_(1.35 * spacing_),
@@ -42,7 +42,7 @@ DebrisPairs::DebrisPairs(const MPI_Comm communicator, const Bodies &bodies, cons
     former_neighbours_.emplace_back(*body);
 }
 
-void DebrisPairs::update(const double dt)
+void ContactPairs::update(const double dt)
 {
   std::vector<ContactPoint> strays;
   int n_strays = most_strays + 1;
@@ -64,7 +64,7 @@ void DebrisPairs::update(const double dt)
   watched_.update();
 }
 
-void DebrisPairs::search_all(const double dt)
+void ContactPairs::search_all(const double dt)
 {
   ++n_searches_;
   bodies_changed_ = false;
@@ -89,7 +89,7 @@ void DebrisPairs::search_all(const double dt)
 }
 
 /// Ascending by the ids of their points, each once.
-void DebrisPairs::sort_foreign_pairs()
+void ContactPairs::sort_foreign_pairs()
 {
   auto &pairs           = foreign_pairs_.pairs;
   const auto new_number = watched_.sort();
@@ -98,18 +98,18 @@ void DebrisPairs::sort_foreign_pairs()
     pair.a = new_number[pair.a];
     pair.b = new_number[pair.b];
   }
-  const auto key = [](const ForeignPair &pair) { return std::tie(pair.a, pair.b); };
+  const auto key = [](const NonBondedPair &pair) { return std::tie(pair.a, pair.b); };
   std::sort(pairs.begin(), pairs.end(),
-            [&](const ForeignPair &x, const ForeignPair &y) { return key(x) < key(y); });
+            [&](const NonBondedPair &x, const NonBondedPair &y) { return key(x) < key(y); });
   pairs.erase(std::unique(pairs.begin(), pairs.end(),
-                          [&](const ForeignPair &x, const ForeignPair &y)
+                          [&](const NonBondedPair &x, const NonBondedPair &y)
                           { return key(x) == key(y); }),
               pairs.end());
   foreign_pairs_.n_sorted = pairs.size();
 }
 
 /// Adds the pairs of a few points of this and other ranks. Collective.
-void DebrisPairs::search_again(const std::vector<ContactPoint> &strays)
+void ContactPairs::search_again(const std::vector<ContactPoint> &strays)
 {
   n_single_searches_ += static_cast<long>(strays.size());
   std::vector<std::vector<NewPair>> home(n_ranks_);
@@ -146,7 +146,7 @@ void DebrisPairs::search_again(const std::vector<ContactPoint> &strays)
 }
 
 /// Lists a pair, at least one of this rank, if it may touch. It may be listed already.
-void DebrisPairs::add(const ContactPoint &one, const ContactPoint &other)
+void ContactPairs::add(const ContactPoint &one, const ContactPoint &other)
 {
   const bool in_order       = one.id < other.id;
   const ContactPoint &lower = in_order ? one : other, &higher = in_order ? other : one;
@@ -163,7 +163,7 @@ void DebrisPairs::add(const ContactPoint &one, const ContactPoint &other)
       lower_is_own ? lower.flat : higher.flat - l.shift(l.stencil().offsets[offset]), offset);
 }
 
-void DebrisPairs::add_foreign_pair(const ContactPoint &lower, const ContactPoint &higher)
+void ContactPairs::add_foreign_pair(const ContactPoint &lower, const ContactPoint &higher)
 {
   const double squared  = (vector(lower.position) - vector(higher.position)).squaredNorm();
   const auto is_further = [&](const double distance)

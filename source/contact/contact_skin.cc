@@ -21,12 +21,12 @@ constexpr std::ptrdiff_t chunk = 8 * Lattice::block_size;
 
 // Sound points so many lattice steps around damage are searched like damaged ones: cracks grow
 // there.
-constexpr int fringe = 2;
+constexpr int band = 2;
 } // namespace
 
-PointJourneys::PointJourneys(const MPI_Comm communicator, const Bodies &bodies,
-                             const ContactNumbering &numbering, const bool mirrored,
-                             const double spacing, const double range) :
+ContactSkin::ContactSkin(const MPI_Comm communicator, const Bodies &bodies,
+                         const ContactNumbering &numbering, const bool mirrored,
+                         const double spacing, const double range) :
   communicator_(communicator),
   bodies_(bodies), numbering_(numbering), mirrored_(mirrored), spacing_(spacing), range_(range),
   journeys_(bodies.size())
@@ -34,7 +34,7 @@ PointJourneys::PointJourneys(const MPI_Comm communicator, const Bodies &bodies,
   MPI_Comm_rank(communicator, &rank_);
 }
 
-void PointJourneys::begin(const double dt)
+void ContactSkin::begin(const double dt)
 {
   constexpr double largest = std::numeric_limits<double>::max();
   const Box nowhere{{largest, largest, largest}, {-largest, -largest, -largest}};
@@ -63,8 +63,7 @@ void PointJourneys::begin(const double dt)
     mark_active_near_other_bodies();
 }
 
-double PointJourneys::reach_of(const std::size_t body, const std::ptrdiff_t p,
-                               const double dt) const
+double ContactSkin::reach_of(const std::size_t body, const std::ptrdiff_t p, const double dt) const
 {
   const auto &a = bodies_[body]->state().arrays;
   const Vector3 v(a.velocity[0][p], a.velocity[1][p], a.velocity[2][p]);
@@ -73,7 +72,7 @@ double PointJourneys::reach_of(const std::size_t body, const std::ptrdiff_t p,
 }
 
 /// A point is here and may get as far as its reach.
-void PointJourneys::start(const std::size_t body, const std::ptrdiff_t p)
+void ContactSkin::start(const std::size_t body, const std::ptrdiff_t p)
 {
   const auto &a      = bodies_[body]->state().arrays;
   auto &journey      = journeys_[body];
@@ -88,7 +87,7 @@ void PointJourneys::start(const std::size_t body, const std::ptrdiff_t p)
   }
 }
 
-std::vector<ContactPoint> PointJourneys::strays(const double dt)
+std::vector<ContactPoint> ContactSkin::strays(const double dt)
 {
   std::vector<ContactPoint> found;
   for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -139,7 +138,7 @@ std::vector<ContactPoint> PointJourneys::strays(const double dt)
 }
 
 /// Damaged points of a body, and those a few lattice steps around them.
-void PointJourneys::mark_active_near_damage(const std::size_t body)
+void ContactSkin::mark_active_near_damage(const std::size_t body)
 {
   const Lattice &l = bodies_[body]->lattice();
   std::vector<char> near(l.size()), before;
@@ -150,7 +149,7 @@ void PointJourneys::mark_active_near_damage(const std::size_t body)
        {std::ptrdiff_t(1), l.index(0, 0, 1) - l.index(0, 0, 0), l.plane_stride()})
   {
     before = near;
-    for (std::ptrdiff_t shift = stride; shift <= fringe * stride; shift += stride)
+    for (std::ptrdiff_t shift = stride; shift <= band * stride; shift += stride)
       for (std::ptrdiff_t p = 0; p < l.size() - shift; ++p)
       {
         near[p + shift] |= before[p];
@@ -160,7 +159,7 @@ void PointJourneys::mark_active_near_damage(const std::size_t body)
   journeys_[body].active = std::move(near);
 }
 
-void PointJourneys::mark_active_near_other_bodies()
+void ContactSkin::mark_active_near_other_bodies()
 {
   // The lower corner of the box in which each body stays, and minus the upper one.
   std::vector<double> corners(6 * bodies_.size(), std::numeric_limits<double>::max());
@@ -181,7 +180,7 @@ void PointJourneys::mark_active_near_other_bodies()
 
 /// Points of a body that may touch something in a box, given by its lower and minus its upper
 /// corner.
-void PointJourneys::mark_active_in_box(const std::size_t body, const double *const corner)
+void ContactSkin::mark_active_in_box(const std::size_t body, const double *const corner)
 {
   auto &journey = journeys_[body];
   for (std::size_t p = 0; p < journey.reach.size(); ++p)
@@ -199,7 +198,7 @@ void PointJourneys::mark_active_in_box(const std::size_t body, const double *con
   }
 }
 
-ContactCandidates PointJourneys::candidates() const
+ContactCandidates ContactSkin::candidates() const
 {
   ContactCandidates candidates;
   add_own_points(candidates);
@@ -209,7 +208,7 @@ ContactCandidates PointJourneys::candidates() const
   return candidates;
 }
 
-void PointJourneys::add_own_points(ContactCandidates &candidates) const
+void ContactSkin::add_own_points(ContactCandidates &candidates) const
 {
   CoarseCells cells(4. * spacing_);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -259,7 +258,7 @@ void PointJourneys::add_own_points(ContactCandidates &candidates) const
 }
 
 /// Images of those points that may touch a point of any rank.
-void PointJourneys::add_images(ContactCandidates &candidates) const
+void ContactSkin::add_images(ContactCandidates &candidates) const
 {
   // Debris that has crossed the plane, y < 0, meets images of points far away from it.
   double lowest = std::numeric_limits<double>::max();
@@ -274,7 +273,7 @@ void PointJourneys::add_images(ContactCandidates &candidates) const
     }
 }
 
-std::vector<ContactPoint> PointJourneys::points_near(const ContactPoint &point) const
+std::vector<ContactPoint> ContactSkin::points_near(const ContactPoint &point) const
 {
   std::vector<ContactPoint> found;
   for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -310,7 +309,7 @@ std::vector<ContactPoint> PointJourneys::points_near(const ContactPoint &point) 
   return found;
 }
 
-ContactPoint PointJourneys::contact_point(const std::size_t body, const std::ptrdiff_t p) const
+ContactPoint ContactSkin::contact_point(const std::size_t body, const std::ptrdiff_t p) const
 {
   const auto &journey = journeys_[body];
   return {{journey.start[0][p], journey.start[1][p], journey.start[2][p]},
@@ -324,7 +323,7 @@ ContactPoint PointJourneys::contact_point(const std::size_t body, const std::ptr
           journey.active[p] != 0};
 }
 
-ContactPoint PointJourneys::image_of(ContactPoint point) const
+ContactPoint ContactSkin::image_of(ContactPoint point) const
 {
   auto place       = numbering_.place(point.id);
   place.lattice[1] = -1 - place.lattice[1];

@@ -6,17 +6,15 @@
 
 namespace ricochet
 {
-ProjectileContact::ProjectileContact(const MPI_Comm communicator, const FrictionLaw &law,
-                                     const Parameters &parameters, const bool mirrored,
-                                     const int n_planes) :
+RigidContact::RigidContact(const MPI_Comm communicator, const FrictionLaw &law,
+                           const Parameters &parameters, const bool mirrored, const int n_planes) :
   communicator_(communicator),
   law_(law), parameters_(parameters), multiplicity_(mirrored ? 2. : 1.), sums_(n_planes),
   work_(n_planes)
 {
 }
 
-ProjectileContact::Reaction ProjectileContact::evaluate(const RigidBody &projectile,
-                                                        PeridynamicForce &plate)
+RigidContact::Reaction RigidContact::evaluate(const RigidBody &projectile, PeridynamicBody &plate)
 {
   const Lattice &lattice = plate.lattice();
   auto &a                = plate.state().arrays;
@@ -25,7 +23,7 @@ ProjectileContact::Reaction ProjectileContact::evaluate(const RigidBody &project
   const Vector3 first = low - Vector3::Constant(radius), last = high + Vector3::Constant(radius);
   double deepest = 0., on_elements = 0.;
   sums_.clear();
-  touches_.clear();
+  active_.clear();
 
   lattice.for_each_owned(
       [&](const std::ptrdiff_t p)
@@ -58,7 +56,7 @@ ProjectileContact::Reaction ProjectileContact::evaluate(const RigidBody &project
         const Vector3 total    = normal + friction + shank;
         for (int d = 0; d < 3; ++d)
           a.force[d][p] += total[d];
-        touches_.push_back({p, friction + shank, velocity});
+        active_.push_back({p, friction + shank, velocity});
 
         const Vector3 arm             = x - projectile.motion().position;
         const Vector3 moment          = -arm.cross(total);
@@ -99,10 +97,10 @@ ProjectileContact::Reaction ProjectileContact::evaluate(const RigidBody &project
   return reaction;
 }
 
-void ProjectileContact::record_work(const PeridynamicForce &plate, const double dt)
+void RigidContact::record_work(const PeridynamicBody &plate, const double dt)
 {
   const auto &a = plate.state().arrays;
-  for (const auto &touch : touches_)
+  for (const auto &touch : active_)
   {
     const Vector3 after(a.velocity[0][touch.point], a.velocity[1][touch.point],
                         a.velocity[2][touch.point]);
@@ -111,7 +109,7 @@ void ProjectileContact::record_work(const PeridynamicForce &plate, const double 
   }
 }
 
-double ProjectileContact::work_on_points() const
+double RigidContact::work_on_points() const
 {
   return multiplicity_ * work_.total(communicator_)[0];
 }

@@ -13,7 +13,7 @@ namespace
 constexpr double crowd = 6.;
 
 /// k = factor 18 K V^2 / (pi delta^5) [N/m]
-double pair_stiffness(const PeridynamicForce &body, const double factor)
+double pair_stiffness(const PeridynamicBody &body, const double factor)
 {
   const auto &stencil = body.lattice().stencil();
   const double volume = std::pow(stencil.spacing, 3);
@@ -46,15 +46,16 @@ bool is_touch(const double squared, const double distance)
 }
 } // namespace
 
-DebrisContact::DebrisContact(const MPI_Comm communicator, const Bodies &bodies, const double factor,
-                             const bool mirrored, const std::string &search) :
-  DebrisContact(communicator, bodies, factor, mirrored, search, Friction{})
+ShortRangeContact::ShortRangeContact(const MPI_Comm communicator, const Bodies &bodies,
+                                     const double factor, const bool mirrored,
+                                     const std::string &search) :
+  ShortRangeContact(communicator, bodies, factor, mirrored, search, Friction{})
 {
 }
 
-DebrisContact::DebrisContact(const MPI_Comm communicator, const Bodies &bodies, const double factor,
-                             const bool mirrored, const std::string &search,
-                             const Friction &friction) :
+ShortRangeContact::ShortRangeContact(const MPI_Comm communicator, const Bodies &bodies,
+                                     const double factor, const bool mirrored,
+                                     const std::string &search, const Friction &friction) :
   communicator_(communicator),
   bodies_(bodies), factor_(factor), mirrored_(mirrored), friction_(friction),
   pairs_(communicator, bodies, mirrored, search), work_(most_planes(bodies))
@@ -63,19 +64,19 @@ DebrisContact::DebrisContact(const MPI_Comm communicator, const Bodies &bodies, 
     stiffness_.push_back(pair_stiffness(*body, factor));
 }
 
-double DebrisContact::stiffness(const int body, const int other_body) const
+double ShortRangeContact::stiffness(const int body, const int other_body) const
 {
   const double k = stiffness_[body], k2 = stiffness_[other_body];
   return body == other_body ? k : 2. * k * k2 / (k + k2);
 }
 
-double DebrisContact::squared_frequency(const PeridynamicForce &body) const
+double ShortRangeContact::squared_frequency(const PeridynamicBody &body) const
 {
   // Two neighbours in antiphase double the stiffness.
   return 2. * crowd * pair_stiffness(body, factor_) / body.point_mass();
 }
 
-void DebrisContact::evaluate(const double dt)
+void ShortRangeContact::evaluate(const double dt)
 {
   if (factor_ <= 0.)
     return;
@@ -84,13 +85,13 @@ void DebrisContact::evaluate(const double dt)
   rubbed_.clear();
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     push_former_neighbours(body, dt);
-  push_foreign_pairs(dt);
+  push_non_bonded_pairs(dt);
 }
 
-void DebrisContact::push_former_neighbours(const std::size_t body, const double dt)
+void ShortRangeContact::push_former_neighbours(const std::size_t body, const double dt)
 {
-  using Pair             = FormerNeighbours::Pair;
-  const auto &list       = pairs_.former_neighbours(body);
+  using Pair             = BrokenBondPairs::Pair;
+  const auto &list       = pairs_.broken_bond_pairs(body);
   const auto &a          = bodies_[body]->state().arrays;
   const Lattice &l       = bodies_[body]->lattice();
   const std::ptrdiff_t n = find_touching(
@@ -116,10 +117,10 @@ void DebrisContact::push_former_neighbours(const std::size_t body, const double 
   }
 }
 
-void DebrisContact::push_foreign_pairs(const double dt)
+void ShortRangeContact::push_non_bonded_pairs(const double dt)
 {
-  using Pair             = DebrisPairs::ForeignPair;
-  const auto &list       = pairs_.foreign_pairs();
+  using Pair             = ContactPairs::NonBondedPair;
+  const auto &list       = pairs_.non_bonded_pairs();
   const auto &watched    = pairs_.watched();
   const std::ptrdiff_t n = find_touching(
       list,
@@ -157,7 +158,7 @@ void DebrisContact::push_foreign_pairs(const double dt)
 }
 
 /// Adds the forces of two points that touch.
-void DebrisContact::push(const Touch &touch, const double dt)
+void ShortRangeContact::push(const ActiveContact &touch, const double dt)
 {
   const double r       = std::sqrt(touch.apart.squaredNorm());
   const double overlap = touch.distance - r;
@@ -187,8 +188,8 @@ void DebrisContact::push(const Touch &touch, const double dt)
 /// @param velocity  Of the second relative to the first [m/s].
 /// @param pressure  The normal force f_n [N].
 /// @param mass      Reduced mass of the two [kg].
-Vector3 DebrisContact::friction(const Vector3 &normal, const Vector3 &velocity,
-                                const double pressure, const double mass, const double dt) const
+Vector3 ShortRangeContact::friction(const Vector3 &normal, const Vector3 &velocity,
+                                    const double pressure, const double mass, const double dt) const
 {
   const Vector3 sliding = velocity - velocity.dot(normal) * normal;
   const double speed    = sliding.norm();
@@ -200,7 +201,7 @@ Vector3 DebrisContact::friction(const Vector3 &normal, const Vector3 &velocity,
   return -std::min(drag, mass / (crowd * dt)) * sliding;
 }
 
-void DebrisContact::record_work(const double dt)
+void ShortRangeContact::record_work(const double dt)
 {
   for (const auto &point : rubbed_)
   {
@@ -211,12 +212,12 @@ void DebrisContact::record_work(const double dt)
   }
 }
 
-double DebrisContact::friction_work() const
+double ShortRangeContact::friction_work() const
 {
   return friction_.law ? (mirrored_ ? 2. : 1.) * work_.total(communicator_)[0] : 0.;
 }
 
-double DebrisContact::energy() const
+double ShortRangeContact::energy() const
 {
   PlaneSums<1> sums(most_planes(bodies_));
   for (const auto &contact : contacts_)
@@ -226,7 +227,7 @@ double DebrisContact::energy() const
   return (mirrored_ ? 2. : 1.) * sums.total(communicator_)[0];
 }
 
-double DebrisContact::n_touching() const
+double ShortRangeContact::n_touching() const
 {
   double n = 0.;
   for (const auto &contact : contacts_)

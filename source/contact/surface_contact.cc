@@ -73,7 +73,7 @@ SurfaceContact::SurfaceContact(const MPI_Comm communicator, const FrictionLaw &l
 }
 
 void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &surface,
-                                PeridynamicForce &plate)
+                                PeridynamicBody &plate)
 {
   const Lattice &lattice = plate.lattice();
   auto &a                = plate.state().arrays;
@@ -88,7 +88,7 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
   const std::vector<std::ptrdiff_t> were_deep = std::move(deep_); // ascending
   deep_.clear();
   loads_.clear();
-  touches_.clear();
+  active_.clear();
   deepest_ = on_elements_ = 0.;
   lattice.for_each_owned(
       [&](const std::ptrdiff_t p)
@@ -142,7 +142,7 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
             v->y() = -v->y();
         for (int d = 0; d < 3; ++d)
           a.force[d][p] += total[d];
-        touches_.push_back({p, friction, at(a.velocity, p)});
+        active_.push_back({p, friction, at(a.velocity, p)});
 
         Load load;
         load.face           = hit.face;
@@ -185,7 +185,7 @@ std::vector<SurfaceContact::Load> SurfaceContact::gather() const
 
 SurfaceContact::Reaction SurfaceContact::evaluate(const SurfaceNodes &body,
                                                   const FacetedSurface &surface,
-                                                  const Vector3 &centre, PeridynamicForce &plate)
+                                                  const Vector3 &centre, PeridynamicBody &plate)
 {
   find_loads(body, surface, plate);
   const auto all = gather();
@@ -230,10 +230,10 @@ SurfaceContact::Reaction SurfaceContact::evaluate(const SurfaceNodes &body,
   return reaction;
 }
 
-void SurfaceContact::record_work(const PeridynamicForce &plate, const double dt)
+void SurfaceContact::record_work(const PeridynamicBody &plate, const double dt)
 {
   const auto &a = plate.state().arrays;
-  for (const auto &touch : touches_)
+  for (const auto &touch : active_)
     work_[plate.lattice().plane_of(touch.point)][0] +=
         0.5 * dt * touch.friction.dot(touch.velocity + at(a.velocity, touch.point));
 }

@@ -8,7 +8,7 @@ namespace ricochet
 namespace
 {
 // Free points so near to the interface are looked at: two horizons of three points.
-constexpr int rim_points   = 6;
+constexpr int band_points  = 6;
 // A zone grows by bricks of so many points along x and y: the same few shapes of the interface come
 // again and again, and conversions are few.
 constexpr int brick_points = 8;
@@ -19,42 +19,42 @@ int brick_below(const int cell, const int brick)
 }
 } // namespace
 
-ZoneWatch::ZoneWatch(const MPI_Comm communicator, FarField &far_field,
-                     const Parameters &parameters) :
+AdaptiveZone::AdaptiveZone(const MPI_Comm communicator, CoupledPlate &coupled_plate,
+                           const Parameters &parameters) :
   communicator_(communicator),
-  far_field_(far_field), parameters_(parameters),
-  rim_width_((rim_points + far_field.zone().points_per_edge() - 1) /
-             far_field.zone().points_per_edge()),
-  brick_(brick_points / far_field.zone().points_per_edge())
+  coupled_plate_(coupled_plate), parameters_(parameters),
+  band_width_((band_points + coupled_plate.zone().points_per_edge() - 1) /
+              coupled_plate.zone().points_per_edge()),
+  brick_(brick_points / coupled_plate.zone().points_per_edge())
 {
-  find_rim();
+  find_interface_band();
 }
 
-void ZoneWatch::find_rim()
+void AdaptiveZone::find_interface_band()
 {
-  const Zone &zone       = far_field_.zone();
-  const Lattice &lattice = far_field_.points().lattice();
-  rim_                   = zone.rim(rim_width_);
+  const Zone &zone       = coupled_plate_.zone();
+  const Lattice &lattice = coupled_plate_.points().lattice();
+  interface_band_        = zone.interface_band(band_width_);
   std::vector<std::uint8_t> blocks(lattice.size() / Lattice::block_size, 0);
   lattice.for_each_owned(
       [&](const std::ptrdiff_t p)
       {
-        if (lattice.free(p) && rim_[zone.number(far_field_.points().cell_of(p))])
+        if (lattice.free(p) && interface_band_[zone.number(coupled_plate_.points().cell_of(p))])
           blocks[p / Lattice::block_size] = 1;
       });
-  rim_blocks_ = ranges_of_blocks(blocks);
+  band_blocks_ = ranges_of_blocks(blocks);
 }
 
 /// Columns of cells with stretched bonds, of all ranks, each once.
-std::vector<Zone::Cell> ZoneWatch::columns_in_danger()
+std::vector<Zone::Cell> AdaptiveZone::columns_in_danger()
 {
-  const Zone &zone = far_field_.zone();
-  auto &points     = far_field_.points();
+  const Zone &zone = coupled_plate_.zone();
+  auto &points     = coupled_plate_.points();
   const int n_y    = zone.n_cells()[1];
   std::vector<char> columns(static_cast<std::size_t>(zone.n_cells()[0]) * n_y, 0);
-  for (const auto p : points.points_stretched(parameters_.stretch, rim_blocks_))
+  for (const auto p : points.points_stretched(parameters_.stretch, band_blocks_))
     if (points.lattice().free(p))
-      if (const auto cell = points.cell_of(p); rim_[zone.number(cell)])
+      if (const auto cell = points.cell_of(p); interface_band_[zone.number(cell)])
         columns[static_cast<std::size_t>(cell[0]) * n_y + cell[1]] = 1;
   MPI_Allreduce(MPI_IN_PLACE, columns.data(), static_cast<int>(columns.size()), MPI_CHAR, MPI_MAX,
                 communicator_);
@@ -66,16 +66,16 @@ std::vector<Zone::Cell> ZoneWatch::columns_in_danger()
 }
 
 /// Of the plate alone, as the leapfrog scheme conserves it; forces are those of its own.
-double ZoneWatch::energy(const double dt)
+double AdaptiveZone::energy(const double dt)
 {
-  auto &points = far_field_.points();
+  auto &points = coupled_plate_.points();
   points.update_ghosts();
   points.evaluate(/*breaking=*/false, /*energy=*/true, /*is_step=*/false);
-  far_field_.evaluate(/*energy=*/true, /*is_step=*/false);
-  return far_field_.energies(dt).total();
+  coupled_plate_.evaluate(/*energy=*/true, /*is_step=*/false);
+  return coupled_plate_.energies(dt).total();
 }
 
-bool ZoneWatch::update(const double time, const double dt, const double furthest)
+bool AdaptiveZone::update(const double time, const double dt, const double furthest)
 {
   if (n_updates_++ % steps_between_looks != 0 || (!parameters_.adaptive && reached_ >= 0.))
     return false;
@@ -88,8 +88,8 @@ bool ZoneWatch::update(const double time, const double dt, const double furthest
     return false;
   }
 
-  const Zone &zone   = far_field_.zone();
-  const auto &plate  = far_field_.points().lattice().box();
+  const Zone &zone   = coupled_plate_.zone();
+  const auto &plate  = coupled_plate_.points().lattice().box();
   const double cells = (furthest - plate.corner.x()) / (zone.points_per_edge() * plate.spacing);
   const int last_column =
       brick_below(static_cast<int>(std::min<double>(zone.n_cells()[0], cells)), brick_) + brick_;
@@ -99,8 +99,8 @@ bool ZoneWatch::update(const double time, const double dt, const double furthest
     Zone::Cells box = zone.limit();
     for (int d = 0; d < 2; ++d)
     {
-      box.low[d]  = brick_below(c[d] - rim_width_, brick_);
-      box.high[d] = brick_below(c[d] + rim_width_, brick_) + brick_;
+      box.low[d]  = brick_below(c[d] - band_width_, brick_);
+      box.high[d] = brick_below(c[d] + band_width_, brick_) + brick_;
     }
     // What waits for the projectile has not reached its limit.
     if (reached_ < 0. && !zone.would_grow({box}))
@@ -111,16 +111,16 @@ bool ZoneWatch::update(const double time, const double dt, const double furthest
   if (!zone.would_grow(boxes))
     return false;
   // The dilatation of the step before belongs to the fracture energy of the next one.
-  auto &points        = far_field_.points();
+  auto &points        = coupled_plate_.points();
   const auto history  = points.dilatation_history();
   const double before = energy(dt);
-  far_field_.convert(boxes);
+  coupled_plate_.convert(boxes);
   loss_ += before - energy(dt);
   points.restore_dilatation(history);
   ++n_conversions_;
   if (parameters_.rebalance)
-    n_redistributions_ += far_field_.rebalance();
-  find_rim();
+    n_redistributions_ += coupled_plate_.rebalance();
+  find_interface_band();
   return true;
 }
 } // namespace ricochet

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/coupling/calibration.h"
 
-#include "ricochet/coupling/slaved_points.h"
 #include "ricochet/base/exchange.h"
+#include "ricochet/coupling/slaved_points.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -583,8 +583,8 @@ private:
   int n_turns_    = 0;
 };
 
-Calibration::Calibration(const MPI_Comm communicator, const PeridynamicForce &points,
-                         const FiniteElementForce &elements, const ElasticModuli &moduli,
+Calibration::Calibration(const MPI_Comm communicator, const PeridynamicBody &points,
+                         const FiniteElementBody &elements, const ElasticModuli &moduli,
                          const CalibrationOptions &options) :
   communicator_(communicator),
   points_(points), elements_(elements), moduli_(moduli), options_(options), forces_(points, moduli)

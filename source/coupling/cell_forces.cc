@@ -56,7 +56,7 @@ std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, const bool 
   return hash;
 }
 
-CellForces::CellForces(const PeridynamicForce &points, const ElasticModuli &moduli) :
+CellForces::CellForces(const PeridynamicBody &points, const ElasticModuli &moduli) :
   lattice_(points.lattice()), has_dilatation_(points.material().law->has_dilatation),
   bulk_stress_(0.)
 {

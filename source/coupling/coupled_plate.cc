@@ -21,8 +21,8 @@ int cells_in(const double horizons, const Stencil &stencil, const int points_per
                          horizons * stencil.horizon / stencil.spacing / points_per_edge - 1e-9)));
 }
 
-HexMesh::Box mesh_box(const PeridynamicForce &points, const Zone &zone,
-                      const FarFieldOptions &options)
+HexMesh::Box mesh_box(const PeridynamicBody &points, const Zone &zone,
+                      const CoupledPlateOptions &options)
 {
   const auto &box    = points.lattice().box();
   const double cell  = zone.points_per_edge() * box.spacing;
@@ -57,10 +57,10 @@ HexMesh::Box mesh_box(const PeridynamicForce &points, const Zone &zone,
   return mesh;
 }
 
-FiniteElementForce::Options element_options(const PeridynamicForce &points, const Zone &zone,
-                                            const FarFieldOptions &options)
+FiniteElementBody::Options element_options(const PeridynamicBody &points, const Zone &zone,
+                                           const CoupledPlateOptions &options)
 {
-  FiniteElementForce::Options result;
+  FiniteElementBody::Options result;
   result.quadrature            = options.quadrature;
   result.hourglass_coefficient = options.hourglass_coefficient;
   result.active                = [&zone, &points](const Vector3 &centre)
@@ -68,14 +68,14 @@ FiniteElementForce::Options element_options(const PeridynamicForce &points, cons
   return result;
 }
 
-FiniteElementMaterial material_of(const PeridynamicForce &points)
+FiniteElementMaterial material_of(const PeridynamicBody &points)
 {
   const auto &m = points.material();
   return {m.density, m.bulk_modulus, m.shear_modulus, m.relaxation};
 }
 
 /// Of the shear modulus [-].
-double relaxing_share(const PeridynamicForce &points)
+double relaxing_share(const PeridynamicBody &points)
 {
   double share = 0.;
   for (const auto &branch : points.material().relaxation)
@@ -109,8 +109,8 @@ Zone make_zone(const std::array<int, 3> &n_cells, const Stencil &stencil,
   }
 }
 
-FarField::FarField(const MPI_Comm communicator, PeridynamicForce &points, Zone &zone,
-                   const FarFieldOptions &options) :
+CoupledPlate::CoupledPlate(const MPI_Comm communicator, PeridynamicBody &points, Zone &zone,
+                           const CoupledPlateOptions &options) :
   communicator_(communicator),
   points_(points), zone_(zone), options_(options),
   elements_(communicator, mesh_box(points, zone, options), material_of(points),
@@ -130,7 +130,7 @@ FarField::FarField(const MPI_Comm communicator, PeridynamicForce &points, Zone &
   lead();
 }
 
-void FarField::join()
+void CoupledPlate::join()
 {
   const auto &mesh = elements_.mesh();
   const auto &box  = points_.lattice().box();
@@ -188,14 +188,14 @@ void FarField::join()
 }
 
 /// Finds the nodes that slaved points follow.
-void FarField::tie()
+void CoupledPlate::tie()
 {
   slaved_ = SlavedPoints(communicator_, elements_, points_.lattice(),
                          [&](const Zone::Cell &at)
                          { return zone_.is_slaved(at) || zone_.has_contact(at); });
 }
 
-bool FarField::rebalance()
+bool CoupledPlate::rebalance()
 {
   // Moving planes costs about as much as some steps.
   constexpr double tolerable = 1.1, worth_it = 0.95;
@@ -210,7 +210,7 @@ bool FarField::rebalance()
   return true;
 }
 
-CalibrationReport FarField::calibration() const
+CalibrationReport CoupledPlate::calibration() const
 {
   CalibrationReport report = calibration_.report();
   if (shear_calibration_)
@@ -224,7 +224,7 @@ CalibrationReport FarField::calibration() const
   return report;
 }
 
-std::vector<ElementStiffness> FarField::calibrated_stiffness()
+std::vector<ElementStiffness> CoupledPlate::calibrated_stiffness()
 {
   auto stiffness = calibration_.find();
   if (!shear_calibration_)
@@ -243,7 +243,7 @@ std::vector<ElementStiffness> FarField::calibrated_stiffness()
 }
 
 /// 1 minus the mean weight of the points in an element, times the material's stiffness.
-std::vector<ElementStiffness> FarField::blended_stiffness() const
+std::vector<ElementStiffness> CoupledPlate::blended_stiffness() const
 {
   const auto &mesh    = elements_.mesh();
   const auto &box     = points_.lattice().box();
@@ -279,25 +279,25 @@ std::vector<ElementStiffness> FarField::blended_stiffness() const
   return stiffness;
 }
 
-void FarField::lead()
+void CoupledPlate::lead()
 {
   elements_.update_ghosts();
   slaved_.follow(elements_, points_.state());
 }
 
-void FarField::start_relaxation(const double dt)
+void CoupledPlate::start_relaxation(const double dt)
 {
   points_.start_relaxation(dt);
   elements_.start_relaxation(dt);
 }
 
-void FarField::evaluate(const bool energy, const bool is_step)
+void CoupledPlate::evaluate(const bool energy, const bool is_step)
 {
   add_forces(energy, is_step);
   elements_.correct_mass();
 }
 
-void FarField::add_forces(const bool energy, const bool is_step)
+void CoupledPlate::add_forces(const bool energy, const bool is_step)
 {
   elements_.evaluate(energy, is_step);
   if (options_.coupling.method == CouplingMethod::force_blend)
@@ -306,7 +306,7 @@ void FarField::add_forces(const bool energy, const bool is_step)
     slaved_.hand_on(points_.state(), elements_.force());
 }
 
-void FarField::rest()
+void CoupledPlate::rest()
 {
   const Lattice &lattice = points_.lattice();
   auto &a                = points_.state().arrays;
@@ -328,7 +328,7 @@ void FarField::rest()
   points_.update_ghosts();
 }
 
-void FarField::blend_forces()
+void CoupledPlate::blend_forces()
 {
   bond_force_.assign(elements_.force().size(), 0.);
   slaved_.hand_on(points_.state(), bond_force_);
@@ -339,7 +339,7 @@ void FarField::blend_forces()
   }
 }
 
-FarField::Energies FarField::energies(const double dt) const
+CoupledPlate::Energies CoupledPlate::energies(const double dt) const
 {
   const auto points = points_.energies(dt);
   const auto nodes  = elements_.energies(dt);
@@ -347,14 +347,14 @@ FarField::Energies FarField::energies(const double dt) const
           points.viscous + nodes.viscous, nodes.absorbed};
 }
 
-PeridynamicForce::Momenta FarField::momenta() const
+PeridynamicBody::Momenta CoupledPlate::momenta() const
 {
   const auto points = points_.momenta();
   const auto nodes  = elements_.momenta();
   return {points.linear + nodes.linear, points.angular + nodes.angular};
 }
 
-std::vector<std::vector<double>> FarField::nodal_histories() const
+std::vector<std::vector<double>> CoupledPlate::nodal_histories() const
 {
   constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
   const auto &mesh     = elements_.mesh();
@@ -395,7 +395,7 @@ std::vector<std::vector<double>> FarField::nodal_histories() const
   return fields;
 }
 
-bool FarField::convert(const std::vector<Zone::Cells> &cells)
+bool CoupledPlate::convert(const std::vector<Zone::Cells> &cells)
 {
   std::vector<std::uint8_t> before;
   zone_.for_each_cell([&](const Zone::Cell &cell)
@@ -426,7 +426,7 @@ bool FarField::convert(const std::vector<Zone::Cells> &cells)
   if (points_.history() != nullptr)
   {
     const auto nodal = nodal_histories();
-    PeridynamicForce::TensorFields histories(nodal.size() / 2);
+    PeridynamicBody::TensorFields histories(nodal.size() / 2);
     for (std::size_t k = 0; k < histories.size(); ++k)
     {
       for (auto &field : histories[k])

@@ -132,8 +132,8 @@ Eigen::Matrix<double, 3, 8> nodal_forces(const HexSolid &solid, const int cell,
 }
 } // namespace
 
-CoupledBody::CoupledBody(const BodyOfRevolution &shape, const HexSolid &mesh,
-                         const Parameters &parameters) :
+CoupledProjectileBody::CoupledProjectileBody(const BodyOfRevolution &shape, const HexSolid &mesh,
+                                             const Parameters &parameters) :
   mass_(parameters.mass),
   interface_(shape.base_position())
 {
@@ -201,9 +201,9 @@ CoupledBody::CoupledBody(const BodyOfRevolution &shape, const HexSolid &mesh,
     }
 
   const double density = parameters.mass / volume_of_all;
-  ElasticBody::Options options;
+  HexahedralBody::Options options;
   options.shares = shares_of(mesh, solid, overlaps, parameters);
-  elements_      = std::make_unique<ElasticBody>(
+  elements_      = std::make_unique<HexahedralBody>(
       solid, FiniteElementMaterial{density, parameters.bulk_modulus, parameters.shear_modulus},
       parameters.mirrored, options);
   for (int node = 0; node < elements_->n_nodes(); ++node)
@@ -225,11 +225,11 @@ CoupledBody::CoupledBody(const BodyOfRevolution &shape, const HexSolid &mesh,
   rest();
 }
 
-CoupledBody::~CoupledBody() = default;
+CoupledProjectileBody::~CoupledProjectileBody() = default;
 
 /// The lattice: what lies in front of the interface and the overlap behind it, or all of the body.
-void CoupledBody::place_points(const BodyOfRevolution &shape, const Parameters &parameters,
-                               const double volume)
+void CoupledProjectileBody::place_points(const BodyOfRevolution &shape,
+                                         const Parameters &parameters, const double volume)
 {
   const double spacing = parameters.spacing;
   const double base = shape.base_position(), diameter = shape.shape().diameter;
@@ -291,14 +291,14 @@ void CoupledBody::place_points(const BodyOfRevolution &shape, const Parameters &
       more * parameters.shear_modulus, std::numeric_limits<double>::infinity()};
   zone_ = std::make_unique<Zone>(n_cells, stencil.reach);
   zone_->grow({{{behind, 0, 0}, n_cells}});
-  peridynamic_ = std::make_unique<PeridynamicForce>(MPI_COMM_SELF, 0, box, stencil, material,
-                                                    inside, nullptr, zone_.get());
+  peridynamic_ = std::make_unique<PeridynamicBody>(MPI_COMM_SELF, 0, box, stencil, material, inside,
+                                                   nullptr, zone_.get());
   if (parameters.correct_surface)
-    correct_surface(PeridynamicForce(MPI_COMM_SELF, 0, box, stencil, material, inside));
+    correct_surface(PeridynamicBody(MPI_COMM_SELF, 0, box, stencil, material, inside));
 }
 
 /// Puts all points into an axial pull with the contraction of a bar.
-void CoupledBody::strain(PeridynamicForce &points)
+void CoupledProjectileBody::strain(PeridynamicBody &points)
 {
   const auto &m  = points.material();
   const double K = m.bulk_modulus, mu = m.shear_modulus;
@@ -317,7 +317,7 @@ void CoupledBody::strain(PeridynamicForce &points)
 }
 
 /// `whole`: the same points without elements, in which those of the pad have all their neighbours.
-void CoupledBody::correct_surface(PeridynamicForce &&whole)
+void CoupledProjectileBody::correct_surface(PeridynamicBody &&whole)
 {
   strain(whole);
   // With w = bulk energy / own energy the sum of w times own energies is exact for this pull: a
@@ -338,9 +338,9 @@ void CoupledBody::correct_surface(PeridynamicForce &&whole)
 }
 
 /// Per element. The points are left strained.
-std::vector<double> CoupledBody::shares_of(const HexSolid &mesh, const HexSolid &elements,
-                                           const std::vector<char> &overlaps,
-                                           const Parameters &parameters)
+std::vector<double> CoupledProjectileBody::shares_of(const HexSolid &mesh, const HexSolid &elements,
+                                                     const std::vector<char> &overlaps,
+                                                     const Parameters &parameters)
 {
   const double K = parameters.bulk_modulus, mu = parameters.shear_modulus;
   const double E               = 9. * K * mu / (3. * K + mu);
@@ -413,7 +413,7 @@ std::vector<double> CoupledBody::shares_of(const HexSolid &mesh, const HexSolid 
   return shares;
 }
 
-void CoupledBody::lead()
+void CoupledProjectileBody::lead()
 {
   if (!elements_)
     return;
@@ -428,7 +428,7 @@ void CoupledBody::lead()
     }
 }
 
-void CoupledBody::evaluate(const bool energy)
+void CoupledProjectileBody::evaluate(const bool energy)
 {
   peridynamic_->update_ghosts();
   peridynamic_->evaluate(/*breaking=*/false, energy);
@@ -453,7 +453,7 @@ void CoupledBody::evaluate(const bool energy)
   }
 }
 
-void CoupledBody::advance(const double dt)
+void CoupledProjectileBody::advance(const double dt)
 {
   peridynamic_->advance(dt, dt);
   if (elements_)
@@ -461,7 +461,7 @@ void CoupledBody::advance(const double dt)
   lead();
 }
 
-void CoupledBody::rest()
+void CoupledProjectileBody::rest()
 {
   for (const auto &point : mass_points_)
     for (int d = 0; d < 3; ++d)

@@ -18,7 +18,7 @@ constexpr double strain = 1e-6;
 class Patch
 {
 public:
-  Patch(const MPI_Comm communicator, FarField &plate) :
+  Patch(const MPI_Comm communicator, CoupledPlate &plate) :
     communicator_(communicator), plate_(plate), lattice_(plate.points().lattice()),
     mesh_(plate.elements().mesh()), a_(plate.points().state().arrays)
   {
@@ -195,7 +195,7 @@ private:
   }
 
   MPI_Comm communicator_;
-  FarField &plate_;
+  CoupledPlate &plate_;
   const Lattice &lattice_;
   const HexMesh &mesh_;
   LatticeArrays &a_;
@@ -206,7 +206,7 @@ private:
 };
 } // namespace
 
-PatchReport patch_test(const MPI_Comm communicator, FarField &plate, const int most_iterations,
+PatchReport patch_test(const MPI_Comm communicator, CoupledPlate &plate, const int most_iterations,
                        const double residual_left)
 {
   Patch patch(communicator, plate);

@@ -69,7 +69,7 @@ Zone::Cell cell_at(const Lattice &lattice, const Vector3 &position)
           static_cast<int>(std::floor(at[2]))};
 }
 
-SlavedPoints::SlavedPoints(const MPI_Comm communicator, const FiniteElementForce &elements,
+SlavedPoints::SlavedPoints(const MPI_Comm communicator, const FiniteElementBody &elements,
                            const Lattice &lattice,
                            const std::function<bool(const Zone::Cell &)> &follows) :
   points_per_edge_(lattice.zone()->points_per_edge()),
@@ -174,7 +174,7 @@ void SlavedPoints::interpolate(const std::vector<double> &nodal, double *const f
   }
 }
 
-void SlavedPoints::follow(const FiniteElementForce &elements, LatticeState &state)
+void SlavedPoints::follow(const FiniteElementBody &elements, LatticeState &state)
 {
   interpolate(elements.position(), state.arrays.position);
   interpolate(elements.velocity(), state.arrays.velocity);

@@ -11,7 +11,7 @@ namespace
 class CoupledBodyVibration
 {
 public:
-  explicit CoupledBodyVibration(CoupledBody &body) :
+  explicit CoupledBodyVibration(CoupledProjectileBody &body) :
     body_(body), amplitude_(1e-6 * body.spacing() * std::sqrt(body.mass()))
   {
   }
@@ -52,12 +52,12 @@ public:
   void rest() { body_.rest(); }
 
 private:
-  CoupledBody &body_;
+  CoupledProjectileBody &body_;
   double amplitude_; // |u| [m sqrt(kg)]
 };
 } // namespace
 
-FrequencyEstimate estimate_largest_frequency(CoupledBody &body, const int n_iterations)
+FrequencyEstimate estimate_largest_frequency(CoupledProjectileBody &body, const int n_iterations)
 {
   CoupledBodyVibration vibration(body);
   return power_iteration(MPI_COMM_SELF, vibration, n_iterations);

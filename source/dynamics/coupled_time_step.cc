@@ -13,7 +13,7 @@ namespace
 class CoupledVibration
 {
 public:
-  CoupledVibration(const MPI_Comm communicator, FarField &plate) :
+  CoupledVibration(const MPI_Comm communicator, CoupledPlate &plate) :
     communicator_(communicator), plate_(plate), points_(plate.points()),
     elements_(plate.elements()), lattice_(points_.lattice()), a_(points_.state().arrays)
   {
@@ -111,16 +111,16 @@ private:
   }
 
   MPI_Comm communicator_;
-  FarField &plate_;
-  PeridynamicForce &points_;
-  FiniteElementForce &elements_;
+  CoupledPlate &plate_;
+  PeridynamicBody &points_;
+  FiniteElementBody &elements_;
   const Lattice &lattice_;
   LatticeArrays &a_;
   double amplitude_; // |u| [m sqrt(kg)]
 };
 } // namespace
 
-FrequencyEstimate estimate_largest_frequency(const MPI_Comm communicator, FarField &plate,
+FrequencyEstimate estimate_largest_frequency(const MPI_Comm communicator, CoupledPlate &plate,
                                              const int n_iterations)
 {
   CoupledVibration vibration(communicator, plate);

@@ -129,7 +129,7 @@ ElementDispersion::ElementDispersion(const double edge, const FiniteElementMater
              mu * (na.dot(nb) * Eigen::Matrix3d::Identity() + nb * na.transpose()));
       }
   }
-  // Hourglass vectors: products of two or three corner coordinates. FiniteElementForce::Options
+  // Hourglass vectors: products of two or three corner coordinates. FiniteElementBody::Options
   // says where the stiffness comes from.
   if (quadrature == Quadrature::one_point)
     for (const int axes : {6, 5, 3, 7})
@@ -192,7 +192,7 @@ double ElementDispersion::largest_squared_frequency_of_block(const int n) const
   return solver.eigenvalues()[3 * n_nodes - 1];
 }
 
-PredictedTimeStep predicted_time_step(const PeridynamicForce &points, const FarFieldOptions *far)
+PredictedTimeStep predicted_time_step(const PeridynamicBody &points, const CoupledPlateOptions *far)
 {
   const auto &m       = points.material();
   const auto &stencil = points.lattice().stencil();

@@ -11,7 +11,7 @@ namespace
 class ElasticVibration
 {
 public:
-  explicit ElasticVibration(ElasticBody &body) :
+  explicit ElasticVibration(HexahedralBody &body) :
     body_(body), amplitude_(1e-6 * smallest_edge(body.solid()) * std::sqrt(body.mass()))
   {
   }
@@ -49,12 +49,12 @@ public:
   void rest() { body_.rest(); }
 
 private:
-  ElasticBody &body_;
+  HexahedralBody &body_;
   double amplitude_; // |u| [m sqrt(kg)]
 };
 } // namespace
 
-FrequencyEstimate estimate_largest_frequency(ElasticBody &body, const int n_iterations)
+FrequencyEstimate estimate_largest_frequency(HexahedralBody &body, const int n_iterations)
 {
   ElasticVibration vibration(body);
   return power_iteration(MPI_COMM_SELF, vibration, n_iterations);

@@ -12,7 +12,7 @@ namespace
 class FiniteElementVibration
 {
 public:
-  FiniteElementVibration(const MPI_Comm communicator, FiniteElementForce &body) :
+  FiniteElementVibration(const MPI_Comm communicator, FiniteElementBody &body) :
     communicator_(communicator), body_(body), mesh_(body.mesh())
   {
     double finest = mesh_.box().edge;
@@ -80,7 +80,7 @@ public:
 
 private:
   MPI_Comm communicator_;
-  FiniteElementForce &body_;
+  FiniteElementBody &body_;
   const HexMesh &mesh_;
   double finest_; // smallest edge [m]
   // Root mean square displacement 1e-6 of the smallest edge: linear to that accuracy, and far above
@@ -89,7 +89,7 @@ private:
 };
 } // namespace
 
-FrequencyEstimate estimate_largest_frequency(const MPI_Comm communicator, FiniteElementForce &body,
+FrequencyEstimate estimate_largest_frequency(const MPI_Comm communicator, FiniteElementBody &body,
                                              const int n_iterations)
 {
   FiniteElementVibration vibration(communicator, body);

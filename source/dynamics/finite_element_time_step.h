@@ -10,6 +10,6 @@ namespace ricochet
 /// `n_iterations` force evaluations about the reference configuration (30 suffice for 1 %). The
 /// body is left at rest in its reference configuration. Collective; ranks change the result by
 /// rounding only.
-FrequencyEstimate estimate_largest_frequency(MPI_Comm communicator, FiniteElementForce &body,
+FrequencyEstimate estimate_largest_frequency(MPI_Comm communicator, FiniteElementBody &body,
                                              int n_iterations = 30);
 } // namespace ricochet

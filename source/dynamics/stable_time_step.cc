@@ -13,7 +13,7 @@ namespace
 class PeridynamicVibration
 {
 public:
-  PeridynamicVibration(const MPI_Comm communicator, PeridynamicForce &body) :
+  PeridynamicVibration(const MPI_Comm communicator, PeridynamicBody &body) :
     communicator_(communicator), body_(body), lattice_(body.lattice()), a_(body.state().arrays),
     amplitude_(1e-6 * lattice_.box().spacing *
                std::sqrt(double(lattice_.box().n[0]) * lattice_.box().n[1] * lattice_.box().n[2]))
@@ -90,7 +90,7 @@ private:
   }
 
   MPI_Comm communicator_;
-  PeridynamicForce &body_;
+  PeridynamicBody &body_;
   const Lattice &lattice_;
   LatticeArrays &a_;
   // Small enough for a linear response, large enough that the extension survives the cancellation
@@ -99,7 +99,7 @@ private:
 };
 } // namespace
 
-FrequencyEstimate estimate_largest_frequency(const MPI_Comm communicator, PeridynamicForce &body,
+FrequencyEstimate estimate_largest_frequency(const MPI_Comm communicator, PeridynamicBody &body,
                                              const int n_iterations)
 {
   PeridynamicVibration vibration(communicator, body);

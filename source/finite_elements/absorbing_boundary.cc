@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The dashpots of FiniteElementForce.
+// The dashpots of FiniteElementBody.
 #include "ricochet/finite_elements/finite_element_body.h"
 
 #include <cmath>
 
 namespace ricochet
 {
-void FiniteElementForce::absorb_at(const std::array<bool, 6> &faces)
+void FiniteElementBody::absorb_at(const std::array<bool, 6> &faces)
 {
   const auto &box  = mesh_.box();
   const double rho = material_.density;
@@ -38,7 +38,7 @@ void FiniteElementForce::absorb_at(const std::array<bool, 6> &faces)
 
 /// v+ = ((1 - q) v- + dt f/m)/(1 + q) with q = c dt/2m: stable for any c, and as accurate as the
 /// leapfrog scheme around it.
-double FiniteElementForce::damped_force(const Dashpot &dashpot, const double dt) const
+double FiniteElementBody::damped_force(const Dashpot &dashpot, const double dt) const
 {
   const int i    = dashpot.entry;
   const double q = 0.5 * dashpot.coefficient * dt * inverse_mass_[i];

@@ -55,15 +55,15 @@ void add_mean_product(const HexTensors &tensors, const int lane, const Eigen::Ma
 }
 } // namespace
 
-FiniteElementForce::FiniteElementForce(const MPI_Comm communicator, const HexMesh::Box &box,
-                                       const FiniteElementMaterial &material) :
-  FiniteElementForce(communicator, box, material, Options())
+FiniteElementBody::FiniteElementBody(const MPI_Comm communicator, const HexMesh::Box &box,
+                                     const FiniteElementMaterial &material) :
+  FiniteElementBody(communicator, box, material, Options())
 {
 }
 
-FiniteElementForce::FiniteElementForce(const MPI_Comm communicator, const HexMesh::Box &box,
-                                       const FiniteElementMaterial &material,
-                                       const Options &options) :
+FiniteElementBody::FiniteElementBody(const MPI_Comm communicator, const HexMesh::Box &box,
+                                     const FiniteElementMaterial &material,
+                                     const Options &options) :
   communicator_(communicator),
   mesh_(communicator, box), material_(material), options_(options),
   kernel_(hex_kernel(options.instruction_set)), position_(mesh_.reference()),
@@ -75,7 +75,7 @@ FiniteElementForce::FiniteElementForce(const MPI_Comm communicator, const HexMes
   set_active(options.active);
 }
 
-void FiniteElementForce::set_active(const std::function<bool(const Vector3 &)> &active)
+void FiniteElementBody::set_active(const std::function<bool(const Vector3 &)> &active)
 {
   active_.clear();
   for (const auto &element : mesh_.elements())
@@ -92,7 +92,7 @@ void FiniteElementForce::set_active(const std::function<bool(const Vector3 &)> &
   lump_mass();
 }
 
-void FiniteElementForce::lump_mass()
+void FiniteElementBody::lump_mass()
 {
   mass_.clear();
   inverse_mass_.clear();
@@ -119,8 +119,8 @@ void FiniteElementForce::lump_mass()
     inverse_mass_[entry] = 0.;
 }
 
-void FiniteElementForce::set_consistent_mass(const std::vector<int> &elements,
-                                             const int points_per_edge)
+void FiniteElementBody::set_consistent_mass(const std::vector<int> &elements,
+                                            const int points_per_edge)
 {
   spread_        = elements;
   // n masses in the middles of the parts of an edge couple its ends by (s, 1/2 - s).
@@ -142,15 +142,15 @@ void FiniteElementForce::set_consistent_mass(const std::vector<int> &elements,
   find_spread_momentum();
 }
 
-void FiniteElementForce::velocity_changed()
+void FiniteElementBody::velocity_changed()
 {
   if (spreads_mass_)
     find_spread_momentum();
 }
 
 /// Adds (M_L - M_C) a of the elements of consistent mass, the product of those of edges.
-void FiniteElementForce::add_mass_difference(const std::vector<double> &acceleration,
-                                             std::vector<double> &force) const
+void FiniteElementBody::add_mass_difference(const std::vector<double> &acceleration,
+                                            std::vector<double> &force) const
 {
   const double near = spread_share_, far = 0.5 - spread_share_;
   for (const int e : spread_)
@@ -176,7 +176,7 @@ void FiniteElementForce::add_mass_difference(const std::vector<double> &accelera
   }
 }
 
-void FiniteElementForce::correct_mass()
+void FiniteElementBody::correct_mass()
 {
   if (!spreads_mass_)
     return;
@@ -193,7 +193,7 @@ void FiniteElementForce::correct_mass()
 
 /// Solves (2 M_L - M_C) y = M_L v by conjugate gradients, M_eff v = M_L y: all eigenvalues of the
 /// scaled matrix lie between 1 and 2.
-void FiniteElementForce::find_spread_momentum()
+void FiniteElementBody::find_spread_momentum()
 {
   const std::size_t n = inverse_mass_.size();
   const auto product  = [&](const std::vector<double> &x, const std::vector<double> &y)
@@ -247,7 +247,7 @@ void FiniteElementForce::find_spread_momentum()
       spread_momentum_.push_back(mass_[node] * y[3 * node + d] + residual[3 * node + d]);
 }
 
-void FiniteElementForce::set_stiffness(const std::vector<ElementStiffness> &stiffness)
+void FiniteElementBody::set_stiffness(const std::vector<ElementStiffness> &stiffness)
 {
   std::vector<const ElementStiffness *> own(active_.size(), nullptr);
   for (const auto &entry : stiffness)
@@ -289,7 +289,7 @@ void FiniteElementForce::set_stiffness(const std::vector<ElementStiffness> &stif
   restore(past);
 }
 
-void FiniteElementForce::fill(Group &group) const
+void FiniteElementBody::fill(Group &group) const
 {
   const std::size_t n = group.elements.size();
   group.blocks.resize((n + block_size - 1) / block_size);
@@ -305,7 +305,7 @@ void FiniteElementForce::fill(Group &group) const
   }
 }
 
-HexGroup FiniteElementForce::view(const Group &group) const
+HexGroup FiniteElementBody::view(const Group &group) const
 {
   const double k = options_.hourglass_coefficient * youngs_modulus(material_);
   return {group.blocks.data(),
@@ -317,7 +317,7 @@ HexGroup FiniteElementForce::view(const Group &group) const
           k / 144.};
 }
 
-void FiniteElementForce::start_relaxation(const double dt)
+void FiniteElementBody::start_relaxation(const double dt)
 {
   check_series(material_.relaxation);
   check_step(material_.relaxation, dt);
@@ -327,15 +327,15 @@ void FiniteElementForce::start_relaxation(const double dt)
   restore({});
 }
 
-std::size_t FiniteElementForce::row(const Group &group, const int index, const int point,
-                                    const int branch) const
+std::size_t FiniteElementBody::row(const Group &group, const int index, const int point,
+                                   const int branch) const
 {
   const std::size_t block = index / block_size;
   return ((block * group.n_points + point) * (1 + branches_.size()) + branch) * 6 * block_size +
          index % block_size;
 }
 
-std::vector<FiniteElementForce::Memory> FiniteElementForce::memories() const
+std::vector<FiniteElementBody::Memory> FiniteElementBody::memories() const
 {
   std::vector<Memory> memories(relaxes() ? place_.size() : 0);
   for (std::size_t e = 0; e < memories.size(); ++e)
@@ -355,7 +355,7 @@ std::vector<FiniteElementForce::Memory> FiniteElementForce::memories() const
   return memories;
 }
 
-void FiniteElementForce::restore(const std::vector<Memory> &memories)
+void FiniteElementBody::restore(const std::vector<Memory> &memories)
 {
   if (!relaxes())
     return;
@@ -388,7 +388,7 @@ void FiniteElementForce::restore(const std::vector<Memory> &memories)
   }
 }
 
-Eigen::Matrix3d FiniteElementForce::history(const int element, const int branch) const
+Eigen::Matrix3d FiniteElementBody::history(const int element, const int branch) const
 {
   const auto &place = place_[element];
   Eigen::Matrix3d E = Eigen::Matrix3d::Zero();
@@ -405,7 +405,7 @@ Eigen::Matrix3d FiniteElementForce::history(const int element, const int branch)
   return step.decay * back_strain(element, branch) + (1. - step.decay - step.lag) * E;
 }
 
-Eigen::Matrix3d FiniteElementForce::back_strain(const int element, const int branch) const
+Eigen::Matrix3d FiniteElementBody::back_strain(const int element, const int branch) const
 {
   const auto &place   = place_[element];
   Eigen::Matrix3d E_b = Eigen::Matrix3d::Zero();
@@ -425,8 +425,8 @@ Eigen::Matrix3d FiniteElementForce::back_strain(const int element, const int bra
   return E_b;
 }
 
-void FiniteElementForce::set_back_strain(const int element, const int branch,
-                                         const Eigen::Matrix3d &E_b)
+void FiniteElementBody::set_back_strain(const int element, const int branch,
+                                        const Eigen::Matrix3d &E_b)
 {
   const auto &place = place_[element];
   if (place.group < 0 || !relaxes())
@@ -439,7 +439,7 @@ void FiniteElementForce::set_back_strain(const int element, const int branch,
           2. * E_b(voigt_row[i], voigt_column[i]);
 }
 
-void FiniteElementForce::fix(const int node, const int component)
+void FiniteElementBody::fix(const int node, const int component)
 {
   if (node >= mesh_.n_owned_nodes())
     return;
@@ -447,7 +447,7 @@ void FiniteElementForce::fix(const int node, const int component)
   inverse_mass_[3 * node + component] = 0.;
 }
 
-void FiniteElementForce::update_ghosts()
+void FiniteElementBody::update_ghosts()
 {
   for (auto *values : {&position_, &velocity_})
   {
@@ -456,7 +456,7 @@ void FiniteElementForce::update_ghosts()
   }
 }
 
-void FiniteElementForce::evaluate(const bool energy, const bool is_step)
+void FiniteElementBody::evaluate(const bool energy, const bool is_step)
 {
   past_.clear();
   std::array<std::vector<double>, 4> kept;
@@ -496,7 +496,7 @@ void FiniteElementForce::evaluate(const bool energy, const bool is_step)
   mesh_.add_to_owners(force_.data());
 }
 
-void FiniteElementForce::advance(const double kick, const double drift)
+void FiniteElementBody::advance(const double kick, const double drift)
 {
   for (std::size_t i = 0; i < spread_momentum_.size(); ++i)
     spread_momentum_[i] += kick * spread_force_[i];
@@ -515,7 +515,7 @@ void FiniteElementForce::advance(const double kick, const double drift)
                    static_cast<int64_t>(inverse_mass_.size()), kick, drift);
 }
 
-FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
+FiniteElementBody::Energies FiniteElementBody::energies(const double dt) const
 {
   std::array<double, 5> sums{};
   const auto kinetic = [&](const int i, const double momentum)
@@ -553,7 +553,7 @@ FiniteElementForce::Energies FiniteElementForce::energies(const double dt) const
   return {sums[0], sums[1], sums[2], sums[3], sums[4]};
 }
 
-double FiniteElementForce::squared_force() const
+double FiniteElementBody::squared_force() const
 {
   double sum = 0.;
   for (std::size_t i = 0; i < inverse_mass_.size(); ++i)
@@ -566,7 +566,7 @@ double FiniteElementForce::squared_force() const
   return sum;
 }
 
-FiniteElementForce::Momenta FiniteElementForce::momenta() const
+FiniteElementBody::Momenta FiniteElementBody::momenta() const
 {
   // Sums of many numbers, compared to the last bit by those who look for a drift.
   using LongVector = Eigen::Matrix<long double, 3, 1>;
@@ -592,7 +592,7 @@ FiniteElementForce::Momenta FiniteElementForce::momenta() const
   return {result[0], result[1]};
 }
 
-double FiniteElementForce::total_mass() const
+double FiniteElementBody::total_mass() const
 {
   double sum = 0.;
   for (const double mass : mass_)
@@ -601,19 +601,19 @@ double FiniteElementForce::total_mass() const
   return sum;
 }
 
-double FiniteElementForce::strain_energy(const int element) const
+double FiniteElementBody::strain_energy(const int element) const
 {
   const auto &place = place_[element];
   return place.group < 0 ? 0. : groups_[place.group].strain_energy[place.index];
 }
 
-double FiniteElementForce::hourglass_energy(const int element) const
+double FiniteElementBody::hourglass_energy(const int element) const
 {
   const auto &place = place_[element];
   return place.group < 0 ? 0. : groups_[place.group].hourglass_energy[place.index];
 }
 
-Eigen::Matrix3d FiniteElementForce::deformation_gradient(const int element) const
+Eigen::Matrix3d FiniteElementBody::deformation_gradient(const int element) const
 {
   // dN_a/dX = +-1/(4 h) in the middle
   const auto &e     = mesh_.elements()[element];
@@ -624,7 +624,7 @@ Eigen::Matrix3d FiniteElementForce::deformation_gradient(const int element) cons
   return F;
 }
 
-Eigen::Matrix3d FiniteElementForce::stress(const int element) const
+Eigen::Matrix3d FiniteElementBody::stress(const int element) const
 {
   const auto &place       = place_[element];
   const Eigen::Matrix3d F = deformation_gradient(element);

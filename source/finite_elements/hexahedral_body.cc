@@ -26,14 +26,14 @@ double youngs_modulus(const FiniteElementMaterial &m)
 }
 } // namespace
 
-ElasticBody::ElasticBody(const HexSolid &solid, const FiniteElementMaterial &material,
-                         const bool mirrored) :
-  ElasticBody(solid, material, mirrored, Options())
+HexahedralBody::HexahedralBody(const HexSolid &solid, const FiniteElementMaterial &material,
+                               const bool mirrored) :
+  HexahedralBody(solid, material, mirrored, Options())
 {
 }
 
-ElasticBody::ElasticBody(const HexSolid &solid, const FiniteElementMaterial &material,
-                         const bool mirrored, const Options &options) :
+HexahedralBody::HexahedralBody(const HexSolid &solid, const FiniteElementMaterial &material,
+                               const bool mirrored, const Options &options) :
   solid_(solid),
   material_(material), mirrored_(mirrored), kernel_(general_hex_kernel(options.instruction_set)),
   position_(3 * solid.nodes.size()), velocity_(position_.size(), 0.), force_(position_.size(), 0.),
@@ -60,7 +60,8 @@ ElasticBody::ElasticBody(const HexSolid &solid, const FiniteElementMaterial &mat
   rest();
 }
 
-void ElasticBody::build_blocks(const double hourglass_stiffness, const std::vector<double> &shares)
+void HexahedralBody::build_blocks(const double hourglass_stiffness,
+                                  const std::vector<double> &shares)
 {
   const std::size_t n = solid_.cells.size();
   blocks_.resize((n + block_size - 1) / block_size);
@@ -113,7 +114,7 @@ void ElasticBody::build_blocks(const double hourglass_stiffness, const std::vect
   }
 }
 
-void ElasticBody::set_motion(const RigidBody::Motion &motion)
+void HexahedralBody::set_motion(const RigidBody::Motion &motion)
 {
   for (int node = 0; node < n_nodes(); ++node)
   {
@@ -130,7 +131,7 @@ void ElasticBody::set_motion(const RigidBody::Motion &motion)
   }
 }
 
-void ElasticBody::rest()
+void HexahedralBody::rest()
 {
   for (int node = 0; node < n_nodes(); ++node)
     for (int d = 0; d < 3; ++d)
@@ -139,7 +140,7 @@ void ElasticBody::rest()
   std::fill(force_.begin(), force_.end(), 0.);
 }
 
-void ElasticBody::evaluate(const bool energy)
+void HexahedralBody::evaluate(const bool energy)
 {
   std::fill(force_.begin(), force_.end(), 0.);
   const double mu = material_.shear_modulus, lambda = material_.bulk_modulus - 2. / 3. * mu;
@@ -150,14 +151,14 @@ void ElasticBody::evaluate(const bool energy)
   (energy ? kernel_->one_point_and_energy : kernel_->one_point)(arrays, group);
 }
 
-void ElasticBody::advance(const double kick, const double drift)
+void HexahedralBody::advance(const double kick, const double drift)
 {
   hex_kernel(kernel_->instruction_set)
       ->advance(position_.data(), velocity_.data(), force_.data(), inverse_mass_.data(),
                 static_cast<int64_t>(position_.size()), kick, drift);
 }
 
-ElasticBody::Energies ElasticBody::energies(const double dt) const
+HexahedralBody::Energies HexahedralBody::energies(const double dt) const
 {
   Energies e{0., 0., 0.};
   for (int node = 0; node < n_nodes(); ++node)
@@ -172,9 +173,9 @@ ElasticBody::Energies ElasticBody::energies(const double dt) const
   return e;
 }
 
-FiniteElementForce::Momenta ElasticBody::momenta() const
+FiniteElementBody::Momenta HexahedralBody::momenta() const
 {
-  FiniteElementForce::Momenta m{Vector3::Zero(), Vector3::Zero()};
+  FiniteElementBody::Momenta m{Vector3::Zero(), Vector3::Zero()};
   for (int node = 0; node < n_nodes(); ++node)
   {
     const Vector3 p = mass_[node] * at(velocity_, node);
@@ -184,7 +185,7 @@ FiniteElementForce::Momenta ElasticBody::momenta() const
   return m;
 }
 
-RigidBody::Motion ElasticBody::rigid_motion() const
+RigidBody::Motion HexahedralBody::rigid_motion() const
 {
   return nearest_rigid_motion(mass_, solid_.nodes, position_, velocity_, mirrored_);
 }

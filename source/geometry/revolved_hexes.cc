@@ -174,7 +174,7 @@ private:
           corner[a] = place(quad[a]);
           mean += 0.25 * corner[a];
         }
-        // The four triangles of forces/surface_contact.h, three points in each.
+        // The four triangles of contact/surface_contact.h, three points in each.
         for (int a = 0; a < 4; ++a)
           for (int point = 0; point < 3; ++point)
           {

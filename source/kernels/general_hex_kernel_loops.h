@@ -3,8 +3,8 @@
 // kernels/hex_kernel_loops.h for the rules.
 #pragma once
 
-#include "ricochet/kernels/general_hex_kernel.h"
 #include "hex_modes.h"
+#include "ricochet/kernels/general_hex_kernel.h"
 
 namespace ricochet
 {

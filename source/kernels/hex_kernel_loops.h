@@ -4,8 +4,8 @@
 // compiled here is visible outside that file.
 #pragma once
 
-#include "ricochet/kernels/hex_kernel.h"
 #include "hex_modes.h"
+#include "ricochet/kernels/hex_kernel.h"
 
 namespace ricochet
 {

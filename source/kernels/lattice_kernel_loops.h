@@ -5,8 +5,8 @@
 // file.
 #pragma once
 
-#include "ricochet/kernels/lattice_kernel.h"
 #include "relaxing_force_loop.h"
+#include "ricochet/kernels/lattice_kernel.h"
 #include "ricochet/materials/bond_law_list.h"
 
 namespace ricochet

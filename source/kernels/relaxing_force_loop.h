@@ -2,16 +2,16 @@
 // The force of a linear peridynamic solid whose shear stiffness relaxes, and the history of its
 // bonds. As kernels/lattice_kernel_loops.h, to be included behind a struct Simd.
 //
-// With one-dimensional Maxwell branches for e and for theta (forces/bond_history.h says why that is
-// all) the tension of the bond between i and j is
+// With one-dimensional Maxwell branches for e and for theta (peridynamics/bond_viscosity.h says why
+// that is all) the tension of the bond between i and j is
 //   t = V^2 omega (30 mu/m) [ e - sum_k lambda_k e_b,k + |xi| (s_i + s_j) ],
 //   s = (K/(10 mu) - 1/6) theta + 1/6 sum_k lambda_k theta_b,k.
 // Weighted: where points have a weight w, e counts with the mean of the ends' and s, like theta,
 // stands for w s.
 #pragma once
 
-#include "ricochet/kernels/lattice_kernel.h"
 #include "lattice_lanes.h"
+#include "ricochet/kernels/lattice_kernel.h"
 
 namespace ricochet
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/damage_map.h"
 
-#include "ricochet/output/collective.h"
 #include "hdf5_file.h"
+#include "ricochet/output/collective.h"
 
 #include <string>
 

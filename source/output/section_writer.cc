@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/section_writer.h"
 
+#include "hdf5_file.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
-#include "hdf5_file.h"
 
 #include <cstdio>
 #include <numeric>

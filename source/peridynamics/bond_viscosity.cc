@@ -8,10 +8,10 @@
 
 namespace ricochet
 {
-BondHistory::BondHistory(const Lattice &lattice, const FamilyConstants &family,
-                         const std::vector<BondConstants> &constants,
-                         const RelaxationSeries &series, const HistoryPrecision precision,
-                         const double dt) :
+BondViscosity::BondViscosity(const Lattice &lattice, const FamilyConstants &family,
+                             const std::vector<BondConstants> &constants,
+                             const RelaxationSeries &series, const HistoryPrecision precision,
+                             const double dt) :
   lattice_(lattice),
   family_(family), constants_(constants), dt_(dt), dissipated_(lattice.box().n[0]),
   in_one_step_(lattice.box().n[0])
@@ -35,20 +35,20 @@ BondHistory::BondHistory(const Lattice &lattice, const FamilyConstants &family,
     field->assign(lattice.size(), 0.);
 }
 
-std::size_t BondHistory::entry(const std::ptrdiff_t point, const std::size_t offset,
-                               const int branch) const
+std::size_t BondViscosity::entry(const std::ptrdiff_t point, const std::size_t offset,
+                                 const int branch) const
 {
   const std::size_t block = point / Lattice::block_size, lane = point % Lattice::block_size;
   return ((block * constants_.size() + offset) * branches_.size() + branch) * Lattice::block_size +
          lane;
 }
 
-double BondHistory::read(const std::size_t entry) const
+double BondViscosity::read(const std::size_t entry) const
 {
   return single_history_.empty() ? double_history_[entry] : single_history_[entry];
 }
 
-void BondHistory::write(const std::size_t entry, const double value)
+void BondViscosity::write(const std::size_t entry, const double value)
 {
   if (single_history_.empty())
     double_history_[entry] = value;
@@ -56,8 +56,8 @@ void BondHistory::write(const std::size_t entry, const double value)
     single_history_[entry] = static_cast<float>(value);
 }
 
-double BondHistory::extension(const LatticeArrays &a, const std::ptrdiff_t p,
-                              const std::size_t offset, const double dt) const
+double BondViscosity::extension(const LatticeArrays &a, const std::ptrdiff_t p,
+                                const std::size_t offset, const double dt) const
 {
   const std::ptrdiff_t q = p + shifts_[offset];
   double squared         = 0.;
@@ -70,13 +70,13 @@ double BondHistory::extension(const LatticeArrays &a, const std::ptrdiff_t p,
   return std::sqrt(squared) - constants_[offset].length;
 }
 
-double BondHistory::back_extension(const std::ptrdiff_t point, const std::size_t offset,
-                                   const int branch, const double e) const
+double BondViscosity::back_extension(const std::ptrdiff_t point, const std::size_t offset,
+                                     const int branch, const double e) const
 {
   return read(entry(point, offset, branch)) + branches_[branch].lag * e;
 }
 
-void BondHistory::begin(const LatticeArrays &a)
+void BondViscosity::begin(const LatticeArrays &a)
 {
   if (!first_step_ && !begun_)
     for_each_block_point(
@@ -88,8 +88,8 @@ void BondHistory::begin(const LatticeArrays &a)
   begun_ = true;
 }
 
-void BondHistory::close_theta(const LatticeArrays &a, const BrokenBonds *broken,
-                              const std::size_t n_broken)
+void BondViscosity::close_theta(const LatticeArrays &a, const BrokenBonds *broken,
+                                const std::size_t n_broken)
 {
   broken_.clear();
   for (const std::ptrdiff_t p : losers_)
@@ -133,7 +133,7 @@ void BondHistory::close_theta(const LatticeArrays &a, const BrokenBonds *broken,
       });
 }
 
-RelaxingBonds BondHistory::bonds(const bool is_step)
+RelaxingBonds BondViscosity::bonds(const bool is_step)
 {
   return {static_cast<int>(branches_.size()),
           is_step ? branches_.data() : halted_branches_.data(),
@@ -144,7 +144,7 @@ RelaxingBonds BondHistory::bonds(const bool is_step)
           dt_};
 }
 
-void BondHistory::end(const LatticeArrays &a, const bool measured, const bool is_step)
+void BondViscosity::end(const LatticeArrays &a, const bool measured, const bool is_step)
 {
   const bool first = first_step_;
   if (is_step)
@@ -194,7 +194,7 @@ void BondHistory::end(const LatticeArrays &a, const bool measured, const bool is
   in_one_step_ = now;
 }
 
-void BondHistory::start_from(
+void BondViscosity::start_from(
     const LatticeArrays &a, const std::function<Eigen::Matrix3d(const Vector3 &, int)> &back_strain)
 {
   // E_b at an image is that of its original, seen in the mirror.
@@ -226,8 +226,8 @@ void BondHistory::start_from(
   sum_theta(a);
 }
 
-void BondHistory::take_over(const LatticeArrays &a, const std::vector<std::uint8_t> &chosen,
-                            const std::function<Eigen::Matrix3d(std::ptrdiff_t, int)> &history)
+void BondViscosity::take_over(const LatticeArrays &a, const std::vector<std::uint8_t> &chosen,
+                              const std::function<Eigen::Matrix3d(std::ptrdiff_t, int)> &history)
 {
   begin(a);
   const std::size_t n = constants_.size();
@@ -243,14 +243,14 @@ void BondHistory::take_over(const LatticeArrays &a, const std::vector<std::uint8
   sum_theta(a);
 }
 
-double BondHistory::along(const std::size_t offset, const Eigen::Matrix3d &G) const
+double BondViscosity::along(const std::size_t offset, const Eigen::Matrix3d &G) const
 {
   const auto &o    = lattice_.stencil().offsets[offset];
   const Vector3 xi = lattice_.stencil().spacing * Vector3(o.x, o.y, o.z);
   return xi.dot(G * xi) / o.length;
 }
 
-void BondHistory::sum_theta(const LatticeArrays &a)
+void BondViscosity::sum_theta(const LatticeArrays &a)
 {
   for (auto &field : theta_history_)
     std::fill(field.begin(), field.end(), 0.);
@@ -275,7 +275,7 @@ void BondHistory::sum_theta(const LatticeArrays &a)
         });
 }
 
-void BondHistory::redistribute(const PlaneExchange &planes, const std::ptrdiff_t size)
+void BondViscosity::redistribute(const PlaneExchange &planes, const std::ptrdiff_t size)
 {
   const double n_per_point = static_cast<double>(constants_.size() * branches_.size());
   const auto move          = [&](auto &field, const double per_point)
@@ -300,7 +300,7 @@ void BondHistory::redistribute(const PlaneExchange &planes, const std::ptrdiff_t
     field->assign(size, 0.);
 }
 
-double BondHistory::bytes_per_point() const
+double BondViscosity::bytes_per_point() const
 {
   const double per_bond = single_history_.empty() ? sizeof(double) : sizeof(float);
   return branches_.size() * (constants_.size() * per_bond + sizeof(double)) + 3 * sizeof(double);

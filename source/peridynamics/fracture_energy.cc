@@ -6,19 +6,19 @@
 
 namespace ricochet
 {
-FractureEnergy::FractureEnergy(const PeridynamicForce &body, const bool mirrored) :
+FractureEnergy::FractureEnergy(const PeridynamicBody &body, const bool mirrored) :
   body_(body), multiplicity_(mirrored ? 2. : 1.), sums_(body.lattice().box().n[0])
 {
 }
 
 void FractureEnergy::record(const double dt)
 {
-  const Lattice &lattice           = body_.lattice();
-  const auto &a                    = body_.state().arrays;
-  const auto &law                  = *body_.material().law;
-  const BondHistory *const history = body_.history();
-  const std::size_t n_branches     = history == nullptr ? 0 : history->branches().size();
-  std::size_t n_bonds              = 0;
+  const Lattice &lattice             = body_.lattice();
+  const auto &a                      = body_.state().arrays;
+  const auto &law                    = *body_.material().law;
+  const BondViscosity *const history = body_.history();
+  const std::size_t n_branches       = history == nullptr ? 0 : history->branches().size();
+  std::size_t n_bonds                = 0;
   lost_theta_.clear();
   for (std::size_t n = 0; n < body_.n_broken_entries(); ++n)
   {

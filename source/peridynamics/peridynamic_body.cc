@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/peridynamics/peridynamic_body.h"
 
-#include "ricochet/base/exceptions.h"
 #include "plane_exchange.h"
+#include "ricochet/base/exceptions.h"
 #include "ricochet/peridynamics/plane_sums.h"
 
 #include <Eigen/Geometry>
@@ -33,10 +33,10 @@ int size_of(const MPI_Comm communicator)
 
 } // namespace
 
-PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number,
-                                   const Lattice::Box &box, const Stencil &stencil,
-                                   const PeridynamicMaterial &material, const Lattice::Mask &mask,
-                                   const char *instruction_set, const Zone *zone) :
+PeridynamicBody::PeridynamicBody(const MPI_Comm communicator, const int number,
+                                 const Lattice::Box &box, const Stencil &stencil,
+                                 const PeridynamicMaterial &material, const Lattice::Mask &mask,
+                                 const char *instruction_set, const Zone *zone) :
   communicator_(communicator),
   number_(number), lattice_(box, stencil, rank_of(communicator), size_of(communicator), mask, zone),
   state_(lattice_), material_(material), halo_(communicator, lattice_, number),
@@ -82,7 +82,7 @@ PeridynamicForce::PeridynamicForce(const MPI_Comm communicator, const int number
   find_bond_ranges();
 }
 
-void PeridynamicForce::set_families()
+void PeridynamicBody::set_families()
 {
   initial_family_.assign(lattice_.size(), 0);
   lattice_.for_each_owned(
@@ -90,7 +90,7 @@ void PeridynamicForce::set_families()
       { initial_family_[p] = static_cast<std::uint16_t>(family_size(p, initial_bonds_.data())); });
 }
 
-void PeridynamicForce::find_bond_ranges()
+void PeridynamicBody::find_bond_ranges()
 {
   const std::size_t n    = shifts_.size();
   const std::size_t last = lattice_.owned_end() / Lattice::block_size;
@@ -125,7 +125,7 @@ void PeridynamicForce::find_bond_ranges()
   bond_ranges_ = ranges_of_blocks(whole);
 }
 
-void PeridynamicForce::scale_energy(const std::vector<double> &factor)
+void PeridynamicBody::scale_energy(const std::vector<double> &factor)
 {
   for (const auto &range : lattice_.existing_ranges())
     for (std::ptrdiff_t p = range.first * Lattice::block_size; p < range.last * Lattice::block_size;
@@ -135,7 +135,7 @@ void PeridynamicForce::scale_energy(const std::vector<double> &factor)
   find_bond_ranges();
 }
 
-void PeridynamicForce::follow_zone(const int first, const int last)
+void PeridynamicBody::follow_zone(const int first, const int last)
 {
   lattice_.follow_zone(first, last);
   state_.follow_zone(lattice_, first, last);
@@ -164,7 +164,7 @@ void PeridynamicForce::follow_zone(const int first, const int last)
   find_bond_ranges();
 }
 
-void PeridynamicForce::redistribute(const std::vector<int> &plane_starts)
+void PeridynamicBody::redistribute(const std::vector<int> &plane_starts)
 {
   Lattice lattice(lattice_, plane_starts, rank_of(communicator_));
   LatticeState state(lattice);
@@ -198,7 +198,7 @@ void PeridynamicForce::redistribute(const std::vector<int> &plane_starts)
   find_bond_ranges();
 }
 
-void PeridynamicForce::continue_history(TensorFields &histories)
+void PeridynamicBody::continue_history(TensorFields &histories)
 {
   for (auto &tensor : histories)
     for (int i = 0; i < 6; ++i)
@@ -223,8 +223,8 @@ void PeridynamicForce::continue_history(TensorFields &histories)
 }
 
 std::vector<std::ptrdiff_t>
-PeridynamicForce::points_stretched(const double stretch,
-                                   const std::vector<Lattice::BlockRange> &blocks)
+PeridynamicBody::points_stretched(const double stretch,
+                                  const std::vector<Lattice::BlockRange> &blocks)
 {
   // The kernel breaks what is stretched in a copy; its log says what.
   LatticeArrays copy = state_.arrays;
@@ -255,7 +255,7 @@ PeridynamicForce::points_stretched(const double stretch,
   return points;
 }
 
-void PeridynamicForce::start_relaxation(const double dt)
+void PeridynamicBody::start_relaxation(const double dt)
 {
   history_.reset();
   if (material_.relaxation.empty())
@@ -266,13 +266,13 @@ void PeridynamicForce::start_relaxation(const double dt)
                      "solid' or leave out the relaxation times.");
   check_series(material_.relaxation);
   check_step(material_.relaxation, dt);
-  history_ = std::make_unique<BondHistory>(
+  history_ = std::make_unique<BondViscosity>(
       lattice_,
       family_constants(lattice_.stencil(), material_.bulk_modulus, material_.shear_modulus),
       unbreakable_constants_, material_.relaxation, material_.history_precision, dt);
 }
 
-void PeridynamicForce::update_ghosts()
+void PeridynamicBody::update_ghosts()
 {
   auto &a = state_.arrays;
   halo_.exchange(
@@ -280,7 +280,7 @@ void PeridynamicForce::update_ghosts()
   state_.mirror_motion(lattice_);
 }
 
-void PeridynamicForce::evaluate(const bool breaking, const bool energy, const bool is_step)
+void PeridynamicBody::evaluate(const bool breaking, const bool energy, const bool is_step)
 {
   // Bonds between a ghost and an owned point are visited on both ranks: the sums of owned points
   // are then complete, and made in the same order as on one rank, without sending anything home.
@@ -345,7 +345,7 @@ void PeridynamicForce::evaluate(const bool breaking, const bool energy, const bo
 }
 
 /// From theta to w theta.
-void PeridynamicForce::weigh_dilatation()
+void PeridynamicBody::weigh_dilatation()
 {
   auto &a = state_.arrays;
   if (a.half_weight == nullptr)
@@ -356,13 +356,13 @@ void PeridynamicForce::weigh_dilatation()
       a.theta[p] *= 2. * a.half_weight[p];
 }
 
-void PeridynamicForce::advance(const double kick, const double drift)
+void PeridynamicBody::advance(const double kick, const double drift)
 {
   for (const auto &range : lattice_.owned_ranges())
     kernel_->advance(state_.arrays, range.first, range.last, kick / mass_, drift);
 }
 
-PeridynamicForce::Energies PeridynamicForce::energies(const double dt) const
+PeridynamicBody::Energies PeridynamicBody::energies(const double dt) const
 {
   const auto &a = state_.arrays;
   PlaneSums<2> sums(lattice_.box().n[0]);
@@ -382,7 +382,7 @@ PeridynamicForce::Energies PeridynamicForce::energies(const double dt) const
   return {sum[0], sum[1], history_ ? history_->dissipated(communicator_) : 0.};
 }
 
-PeridynamicForce::Momenta PeridynamicForce::momenta() const
+PeridynamicBody::Momenta PeridynamicBody::momenta() const
 {
   const auto &a = state_.arrays;
   PlaneSums<6> sums(lattice_.box().n[0]);
@@ -405,17 +405,17 @@ PeridynamicForce::Momenta PeridynamicForce::momenta() const
   return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}};
 }
 
-std::vector<double> PeridynamicForce::dilatation_history() const
+std::vector<double> PeridynamicBody::dilatation_history() const
 {
   return {state_.arrays.theta, state_.arrays.theta + lattice_.size()};
 }
 
-void PeridynamicForce::restore_dilatation(const std::vector<double> &history)
+void PeridynamicBody::restore_dilatation(const std::vector<double> &history)
 {
   std::copy(history.begin(), history.end(), state_.arrays.theta);
 }
 
-int PeridynamicForce::family_size(const std::ptrdiff_t index, const std::uint8_t *bonds) const
+int PeridynamicBody::family_size(const std::ptrdiff_t index, const std::uint8_t *bonds) const
 {
   const auto bond = [&](const std::ptrdiff_t p, const std::size_t k)
   {
@@ -427,7 +427,7 @@ int PeridynamicForce::family_size(const std::ptrdiff_t index, const std::uint8_t
   return n;
 }
 
-double PeridynamicForce::count_bonds() const
+double PeridynamicBody::count_bonds() const
 {
   double ends = 0.;
   lattice_.for_each_owned([&](const std::ptrdiff_t p)
@@ -436,7 +436,7 @@ double PeridynamicForce::count_bonds() const
   return ends / 2.;
 }
 
-double PeridynamicForce::count_sound_bonds() const
+double PeridynamicBody::count_sound_bonds() const
 {
   double ends = 0.;
   lattice_.for_each_owned([&](const std::ptrdiff_t p) { ends += initial_family_[p]; });
@@ -444,7 +444,7 @@ double PeridynamicForce::count_sound_bonds() const
   return ends / 2.;
 }
 
-double PeridynamicForce::damage(const std::ptrdiff_t index) const
+double PeridynamicBody::damage(const std::ptrdiff_t index) const
 {
   if (initial_family_[index] == 0 || !damaged_[index])
     return 0.;

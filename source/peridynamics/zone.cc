@@ -96,7 +96,7 @@ std::array<int, 2> Zone::rows() const
   return {points_per_edge_ * std::max(0, low), points_per_edge_ * std::min(n_[1], high)};
 }
 
-std::vector<char> Zone::rim(const int width) const
+std::vector<char> Zone::interface_band(const int width) const
 {
   std::vector<char> near(layers_.size());
   for (std::size_t c = 0; c < layers_.size(); ++c)

@@ -101,7 +101,7 @@ std::pair<Vector3, Vector3> DeformableProjectile::bounding_box() const
   return box;
 }
 
-Projectile::Reaction DeformableProjectile::touch(const std::size_t plate, PeridynamicForce &points)
+Projectile::Reaction DeformableProjectile::touch(const std::size_t plate, PeridynamicBody &points)
 {
   const auto reaction = contacts_[plate].evaluate(nodes(), surface_, motion_.position, points);
   receive();
@@ -126,7 +126,7 @@ void DeformableProjectile::advance(const Reaction &, const double dt)
   follow();
 }
 
-void DeformableProjectile::record_work(const std::size_t plate, const PeridynamicForce &points,
+void DeformableProjectile::record_work(const std::size_t plate, const PeridynamicBody &points,
                                        const double dt)
 {
   contacts_[plate].record_work(points, dt);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What all deformable projectiles have in common: a faceted surface that the plates' points touch
-// (forces/surface_contact.h), and a nearest rigid motion. Every rank computes the whole body.
+// (contact/surface_contact.h), and a nearest rigid motion. Every rank computes the whole body.
 #pragma once
 
-#include "ricochet/projectiles/projectile.h"
 #include "ricochet/contact/surface_contact.h"
+#include "ricochet/projectiles/projectile.h"
 
 namespace ricochet
 {
@@ -15,9 +15,9 @@ public:
   std::pair<Vector3, Vector3> bounding_box() const override;
   SurfaceFrame surface() const override;
 
-  Reaction touch(std::size_t plate, PeridynamicForce &points) override;
+  Reaction touch(std::size_t plate, PeridynamicBody &points) override;
   void advance(const Reaction &reaction, double dt) override;
-  void record_work(std::size_t plate, const PeridynamicForce &points, double dt) override;
+  void record_work(std::size_t plate, const PeridynamicBody &points, double dt) override;
   double friction_work() const override;
 
 protected:

@@ -18,10 +18,10 @@ FiniteElementMaterial material_of(const Scene &scene, const HexSolid &mesh)
 }
 } // namespace
 
-ElasticProjectile::ElasticProjectile(const MPI_Comm communicator, const Scene &scene,
-                                     const HexSolid &mesh, const Motion &start,
-                                     const FrictionLaw &law,
-                                     const std::vector<PlateContact> &plates) :
+FiniteElementProjectile::FiniteElementProjectile(const MPI_Comm communicator, const Scene &scene,
+                                                 const HexSolid &mesh, const Motion &start,
+                                                 const FrictionLaw &law,
+                                                 const std::vector<PlateContact> &plates) :
   DeformableProjectile(communicator, scene, mesh.nodes, outer_faces(mesh, scene.symmetric), law,
                        plates),
   elastic_(mesh, material_of(scene, mesh), scene.symmetric)
@@ -36,13 +36,13 @@ ElasticProjectile::ElasticProjectile(const MPI_Comm communicator, const Scene &s
   begin_motion();
 }
 
-Projectile::Energies ElasticProjectile::energies(const Reaction &, const double dt) const
+Projectile::Energies FiniteElementProjectile::energies(const Reaction &, const double dt) const
 {
   const auto e = elastic_.energies(dt);
   return {multiplicity() * e.kinetic, multiplicity() * (e.strain + e.hourglass)};
 }
 
-Projectile::Momenta ElasticProjectile::momenta() const
+Projectile::Momenta FiniteElementProjectile::momenta() const
 {
   const auto m = elastic_.momenta();
   if (multiplicity() == 1.)

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A projectile of finite elements, elastic: forces/elastic_body.h. With a symmetry plane its half
-// y > 0 is computed.
+// A projectile of finite elements, elastic: finite_elements/hexahedral_body.h. With a symmetry
+// plane its half y > 0 is computed.
 #pragma once
 
 #include "deformable_projectile.h"
 
 namespace ricochet
 {
-class ElasticProjectile : public DeformableProjectile
+class FiniteElementProjectile : public DeformableProjectile
 {
 public:
-  ElasticProjectile(MPI_Comm communicator, const Scene &scene, const HexSolid &mesh,
-                    const Motion &start, const FrictionLaw &law,
-                    const std::vector<PlateContact> &plates);
+  FiniteElementProjectile(MPI_Comm communicator, const Scene &scene, const HexSolid &mesh,
+                          const Motion &start, const FrictionLaw &law,
+                          const std::vector<PlateContact> &plates);
 
   void begin(bool energy) override { elastic_.evaluate(energy); }
   Energies energies(const Reaction &reaction, double dt) const override;
@@ -25,14 +25,14 @@ public:
   }
   double seconds_per_step() const override { return seconds_per_step_; }
 
-  const ElasticBody &elastic() const { return elastic_; }
+  const HexahedralBody &elastic() const { return elastic_; }
 
 private:
   SurfaceNodes nodes() override { return elastic_; }
   void move(double dt) override { elastic_.advance(dt, dt); }
   Motion nearest_motion() const override { return elastic_.rigid_motion(); }
 
-  ElasticBody elastic_;
+  HexahedralBody elastic_;
   double squared_frequency_ = 0., seconds_per_step_ = 0.;
 };
 } // namespace ricochet

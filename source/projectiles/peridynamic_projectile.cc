@@ -2,8 +2,8 @@
 #include "peridynamic_projectile.h"
 
 #include "ricochet/base/exceptions.h"
-#include "ricochet/dynamics/coupled_body_time_step.h"
 #include "ricochet/bodies/nearest_rigid_motion.h"
+#include "ricochet/dynamics/coupled_body_time_step.h"
 
 #include <Eigen/Dense>
 
@@ -41,7 +41,7 @@ struct Skin
   }
 };
 
-CoupledBody::Parameters parameters_of(const Scene &scene)
+CoupledProjectileBody::Parameters parameters_of(const Scene &scene)
 {
   const auto &p  = scene.projectile;
   const double E = p.youngs_modulus, nu = p.poissons_ratio;
@@ -63,7 +63,7 @@ PeridynamicProjectile::PeridynamicProjectile(const MPI_Comm communicator, const 
   DeformableProjectile(communicator, scene, Skin(mesh, scene.symmetric).nodes,
                        Skin(mesh, scene.symmetric).faces, law, plates),
   mirrored_(scene.symmetric),
-  body_(std::make_unique<CoupledBody>(body(), mesh, parameters_of(scene)))
+  body_(std::make_unique<CoupledProjectileBody>(body(), mesh, parameters_of(scene)))
 {
   const Skin skin(mesh, mirrored_);
   build_skin(skin.nodes, skin.mesh_nodes);

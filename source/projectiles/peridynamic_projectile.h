@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A projectile of peridynamic points that do not break, all of it or its front part with a shank of
-// finite elements behind (coupling/coupled_body.h): a lattice in the projectile's own axes, cut to
-// its shape, which flies rotated. Plates touch a skin, the faceted surface of the shape, not the
-// points' steps: each node of the skin follows the points around it by weights that reproduce every
-// linear motion (moving least squares), or is a node of the elements, and its force goes back by
-// the same weights, so that force, moment and work are kept. Friction is therefore that of all
-// projectiles.
+// finite elements behind (coupling/coupled_projectile_body.h): a lattice in the projectile's own
+// axes, cut to its shape, which flies rotated. Plates touch a skin, the faceted surface of the
+// shape, not the points' steps: each node of the skin follows the points around it by weights that
+// reproduce every linear motion (moving least squares), or is a node of the elements, and its force
+// goes back by the same weights, so that force, moment and work are kept. Friction is therefore
+// that of all projectiles.
 #pragma once
 
-#include "ricochet/coupling/coupled_projectile_body.h"
 #include "deformable_projectile.h"
+#include "ricochet/coupling/coupled_projectile_body.h"
 
 namespace ricochet
 {
@@ -17,7 +17,7 @@ class PeridynamicProjectile : public DeformableProjectile
 {
 public:
   /// `mesh` gives the skin and the elements, if any; `start` is the motion of the origin of the
-  /// body axes. Throws InputError as CoupledBody does.
+  /// body axes. Throws InputError as CoupledProjectileBody does.
   PeridynamicProjectile(MPI_Comm communicator, const Scene &scene, const HexSolid &mesh,
                         const Motion &start, const FrictionLaw &law,
                         const std::vector<PlateContact> &plates);
@@ -49,8 +49,8 @@ private:
   void pull_skin();
 
   bool mirrored_;
-  std::unique_ptr<CoupledBody> body_; // whole on every rank
-  std::vector<Support> skin_;         // by node
+  std::unique_ptr<CoupledProjectileBody> body_; // whole on every rank
+  std::vector<Support> skin_;                   // by node
   std::vector<double> skin_position_, skin_velocity_, skin_force_;
   double squared_frequency_ = 0., seconds_per_step_ = 0.;
 };

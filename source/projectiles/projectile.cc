@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/projectiles/projectile.h"
 
-#include "ricochet/base/exceptions.h"
 #include "finite_element_projectile.h"
 #include "peridynamic_projectile.h"
-#include "rigid_projectile.h"
+#include "ricochet/base/exceptions.h"
 #include "ricochet/geometry/revolved_hexes.h"
+#include "rigid_projectile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +119,6 @@ std::unique_ptr<Projectile> make_projectile(const MPI_Comm communicator, const S
   if (scene.symmetric)
     centre.y() = 0.;
   start.position += start.orientation * centre;
-  return std::make_unique<ElasticProjectile>(communicator, scene, mesh, start, law, plates);
+  return std::make_unique<FiniteElementProjectile>(communicator, scene, mesh, start, law, plates);
 }
 } // namespace ricochet

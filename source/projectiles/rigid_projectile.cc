@@ -16,7 +16,7 @@ RigidProjectile::RigidProjectile(const MPI_Comm communicator, const Scene &scene
     contacts_.emplace_back(communicator, law, plate.parameters, scene.symmetric, plate.n_planes);
 }
 
-Projectile::Reaction RigidProjectile::touch(const std::size_t plate, PeridynamicForce &points)
+Projectile::Reaction RigidProjectile::touch(const std::size_t plate, PeridynamicBody &points)
 {
   return contacts_[plate].evaluate(rigid_, points);
 }
@@ -31,7 +31,7 @@ void RigidProjectile::advance(const Reaction &reaction, const double dt)
             reaction.friction_moment.dot(spin + after.spin));
 }
 
-void RigidProjectile::record_work(const std::size_t plate, const PeridynamicForce &points,
+void RigidProjectile::record_work(const std::size_t plate, const PeridynamicBody &points,
                                   const double dt)
 {
   contacts_[plate].record_work(points, dt);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A rigid projectile: its motion is contact/rigid_body.h, its surface the analytic shape.
+// A rigid projectile: its motion is bodies/rigid_body.h, its surface the analytic shape.
 #pragma once
 
 #include "ricochet/projectiles/projectile.h"
@@ -17,9 +17,9 @@ public:
   SurfaceFrame surface() const override;
 
   void begin(bool) override {}
-  Reaction touch(std::size_t plate, PeridynamicForce &points) override;
+  Reaction touch(std::size_t plate, PeridynamicBody &points) override;
   void advance(const Reaction &reaction, double dt) override;
-  void record_work(std::size_t plate, const PeridynamicForce &points, double dt) override;
+  void record_work(std::size_t plate, const PeridynamicBody &points, double dt) override;
 
   Energies energies(const Reaction &reaction, double dt) const override;
   Momenta momenta() const override;
@@ -31,7 +31,7 @@ public:
 
 private:
   RigidBody rigid_;
-  std::vector<ProjectileContact> contacts_; // per plate
-  double work_ = 0.;                        // of friction on the body [J]
+  std::vector<RigidContact> contacts_; // per plate
+  double work_ = 0.;                   // of friction on the body [J]
 };
 } // namespace ricochet

@@ -2,8 +2,8 @@
 // Entries that the sections Coupling and Stability share.
 #pragma once
 
-#include "ricochet/coupling/coupling_method.h"
 #include "parameters.h"
+#include "ricochet/coupling/coupling_method.h"
 
 namespace ricochet
 {

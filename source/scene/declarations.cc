@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "declarations.h"
 
+#include "ricochet/contact/contact_search.h"
 #include "ricochet/contact/friction_laws.h"
 #include "ricochet/coupling/coupling_method.h"
-#include "ricochet/contact/contact_search.h"
 #include "ricochet/materials/bond_laws.h"
 #include "ricochet/materials/influence_function.h"
 

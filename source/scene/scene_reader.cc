@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/scene_reader.h"
 
+#include "coupling_reader.h"
+#include "parameter_writer.h"
+#include "parameters.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
 #include "ricochet/materials/bond_laws.h"
-#include "coupling_reader.h"
 #include "ricochet/scene/mesh_file.h"
-#include "parameter_writer.h"
-#include "parameters.h"
 #include "ricochet/scene/stability_reader.h"
 #include "text_tools.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/study_file.h"
 
-#include "ricochet/base/exceptions.h"
 #include "parameters.h"
+#include "ricochet/base/exceptions.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/stability_reader.h"
 #include "text_tools.h"

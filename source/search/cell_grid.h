@@ -4,8 +4,8 @@
 // proportion to that of the points, however far a few fragments have flown.
 #pragma once
 
-#include "ricochet/search/pair_loops.h"
 #include "ricochet/base/vector.h"
+#include "ricochet/search/pair_loops.h"
 
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The loops behind geometry/pair_loops.h, written once on a SIMD type. Each including file defines,
+// The loops behind search/pair_loops.h, written once on a SIMD type. Each including file defines,
 // in an unnamed namespace before this header, a struct Lanes of its instruction set.
 #pragma once
 

@@ -33,13 +33,13 @@ void add_section(const std::array<Vector3, 8> &corners, const Vector3 &low, cons
 }
 } // namespace
 
-void add_elements(const FarField &far_field, const int body, ElementFrame &frame)
+void add_elements(const CoupledPlate &coupled_plate, const int body, ElementFrame &frame)
 {
-  const auto &elements = far_field.elements();
+  const auto &elements = coupled_plate.elements();
   const auto &mesh     = elements.mesh();
-  const auto &lattice  = far_field.points().lattice();
+  const auto &lattice  = coupled_plate.points().lattice();
   const auto &box      = lattice.box();
-  const auto &zone     = far_field.zone();
+  const auto &zone     = coupled_plate.zone();
   const auto at        = [](const std::vector<double> &values, const int node)
   { return Vector3(values[3 * node], values[3 * node + 1], values[3 * node + 2]); };
   for (const auto &element : mesh.elements())

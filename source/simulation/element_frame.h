@@ -8,5 +8,5 @@
 namespace ricochet
 {
 /// Appends this rank's elements but those whose cell has points, which are written as such.
-void add_elements(const FarField &far_field, int body, ElementFrame &frame);
+void add_elements(const CoupledPlate &coupled_plate, int body, ElementFrame &frame);
 } // namespace ricochet

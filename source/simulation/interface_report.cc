@@ -13,7 +13,7 @@ namespace ricochet
 {
 namespace
 {
-double seconds_of_points(PeridynamicForce &points)
+double seconds_of_points(PeridynamicBody &points)
 {
   constexpr int n_repeats = 10;
   const auto start        = std::chrono::steady_clock::now();
@@ -33,9 +33,9 @@ std::vector<InterfaceReport> interface_reports(const MPI_Comm communicator, Simu
                                                const double residual_left)
 {
   std::vector<InterfaceReport> reports;
-  for (std::size_t i = 0; i < simulation.far_fields().size(); ++i)
+  for (std::size_t i = 0; i < simulation.coupled_plates().size(); ++i)
   {
-    const auto &far = simulation.far_fields()[i];
+    const auto &far = simulation.coupled_plates()[i];
     if (!far || far->zone().n_slaved_cells() == 0)
       continue;
     InterfaceReport report{};

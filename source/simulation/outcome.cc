@@ -99,7 +99,7 @@ void OutcomeWatch::update()
   decided_           = free || at_rest;
 }
 
-Verdict OutcomeWatch::verdict(const std::string &other_reason) const
+OutcomeVerdict OutcomeWatch::verdict(const std::string &other_reason) const
 {
   char text[200];
   // A run that is cut short is judged by the centroid: a projectile that is on its way out has been

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/simulation/simulation.h"
 
+#include "element_frame.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/contact/friction_laws.h"
-#include "element_frame.h"
 #include "ricochet/dynamics/coupled_time_step.h"
 #include "ricochet/dynamics/stable_time_step.h"
 
@@ -95,21 +95,21 @@ void Simulation::build_plates()
                                     material.history_precision};
     zones_.push_back(plate_zone(scene_, plate, box, stencil));
     auto &zone = zones_.back();
-    plates_.push_back(std::make_unique<PeridynamicForce>(communicator_, static_cast<int>(i), box,
-                                                         stencil, bonds, Lattice::Mask{}, nullptr,
-                                                         zone.zone.get()));
-    far_fields_.push_back(nullptr);
-    zone_watches_.push_back(nullptr);
+    plates_.push_back(std::make_unique<PeridynamicBody>(communicator_, static_cast<int>(i), box,
+                                                        stencil, bonds, Lattice::Mask{}, nullptr,
+                                                        zone.zone.get()));
+    coupled_plates_.push_back(nullptr);
+    adaptive_zones_.push_back(nullptr);
     if (zone.zone == nullptr)
       continue;
-    far_fields_.back() =
-        std::make_unique<FarField>(communicator_, *plates_.back(), *zone.zone, zone.options);
-    zone_watches_.back() = std::make_unique<ZoneWatch>(
-        communicator_, *far_fields_.back(),
+    coupled_plates_.back() =
+        std::make_unique<CoupledPlate>(communicator_, *plates_.back(), *zone.zone, zone.options);
+    adaptive_zones_.back() = std::make_unique<AdaptiveZone>(
+        communicator_, *coupled_plates_.back(),
         // Contact with a deformable projectile remembers points.
-        ZoneWatch::Parameters{scene_.zone.conversion_stretch * bonds.critical_stretch,
-                              scene_.zone.adaptive,
-                              scene_.projectile.model == ProjectileModel::rigid});
+        AdaptiveZone::Parameters{scene_.zone.conversion_stretch * bonds.critical_stretch,
+                                 scene_.zone.adaptive,
+                                 scene_.projectile.model == ProjectileModel::rigid});
   }
 }
 
@@ -124,7 +124,7 @@ void Simulation::build_projectile()
   for (const auto &plate : plates_)
   {
     const double spacing = plate->lattice().box().spacing;
-    ProjectileContact::Parameters parameters;
+    RigidContact::Parameters parameters;
     parameters.stiffness = contact.stiffness_factor * youngs_modulus(plate->material()) * spacing;
     parameters.shank_force =
         contact.shank_contact_fraction * contact.shank_resistance * spacing * spacing;
@@ -142,12 +142,12 @@ void Simulation::build_projectile()
               << " mm. Raise 'Impact/Clearance' or move 'Impact/Entry point'.";
       throw InputError(message.str());
     }
-  DebrisContact::Friction friction;
+  ShortRangeContact::Friction friction;
   if (contact.debris_friction > 0.)
     friction = {friction_law_.get(), contact.debris_friction,
                 contact.friction.regularisation_speed};
-  debris_ = std::make_unique<DebrisContact>(communicator_, plates_, contact.debris_factor,
-                                            scene_.symmetric, contact.search, friction);
+  debris_ = std::make_unique<ShortRangeContact>(communicator_, plates_, contact.debris_factor,
+                                                scene_.symmetric, contact.search, friction);
 }
 
 void Simulation::choose_time_step()
@@ -158,8 +158,8 @@ void Simulation::choose_time_step()
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     const auto &plate    = plates_[i];
-    const auto estimate  = far_fields_[i]
-                               ? estimate_largest_frequency(communicator_, *far_fields_[i])
+    const auto estimate  = coupled_plates_[i]
+                               ? estimate_largest_frequency(communicator_, *coupled_plates_[i])
                                : estimate_largest_frequency(communicator_, *plate);
     const double spacing = plate->lattice().box().spacing;
     const double stiffness =
@@ -188,8 +188,8 @@ void Simulation::start_relaxation(const std::vector<double> &elastic_seconds)
   {
     double seconds = elastic_seconds[i];
     auto &plate    = *plates_[i];
-    if (far_fields_[i])
-      far_fields_[i]->start_relaxation(dt_);
+    if (coupled_plates_[i])
+      coupled_plates_[i]->start_relaxation(dt_);
     else
       plate.start_relaxation(dt_);
     if (plate.history() != nullptr)
@@ -218,9 +218,9 @@ void Simulation::evaluate(const bool energy)
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     plates_[i]->update_ghosts();
-    if (zone_watches_[i] &&
-        zone_watches_[i]->update(time_, dt_,
-                                 projectile_->bounding_box().second.x() + zones_[i].growth_ahead))
+    if (adaptive_zones_[i] &&
+        adaptive_zones_[i]->update(time_, dt_,
+                                   projectile_->bounding_box().second.x() + zones_[i].growth_ahead))
     {
       plates_[i]->update_ghosts();
       debris_->bodies_changed();
@@ -240,9 +240,9 @@ void Simulation::evaluate(const bool energy)
         std::max(reaction_.deepest, part.deepest / plates_[i]->lattice().box().spacing);
   }
   debris_->evaluate(dt_);
-  for (const auto &far_field : far_fields_)
-    if (far_field)
-      far_field->evaluate(energy);
+  for (const auto &coupled_plate : coupled_plates_)
+    if (coupled_plate)
+      coupled_plate->evaluate(energy);
 }
 
 void Simulation::advance()
@@ -250,10 +250,10 @@ void Simulation::advance()
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
     plates_[i]->advance(dt_, dt_);
-    if (far_fields_[i])
+    if (coupled_plates_[i])
     {
-      far_fields_[i]->advance(dt_, dt_);
-      far_fields_[i]->lead();
+      coupled_plates_[i]->advance(dt_, dt_);
+      coupled_plates_[i]->lead();
     }
     projectile_->record_work(i, *plates_[i], dt_);
   }
@@ -291,15 +291,15 @@ EnergyBalance Simulation::energies() const
   e.debris_friction     = 0. - debris_->friction_work(); // not -0
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
-    if (far_fields_[i])
+    if (coupled_plates_[i])
     {
-      const auto sum = far_fields_[i]->energies(dt_);
+      const auto sum = coupled_plates_[i]->energies(dt_);
       e.kinetic += multiplicity_ * sum.kinetic;
       e.strain += multiplicity_ * sum.strain;
       e.hourglass += multiplicity_ * sum.hourglass;
       e.viscous += multiplicity_ * sum.viscous;
       e.absorbed += multiplicity_ * sum.absorbed;
-      e.conversion += multiplicity_ * zone_watches_[i]->loss();
+      e.conversion += multiplicity_ * adaptive_zones_[i]->loss();
     }
     else
     {
@@ -319,7 +319,7 @@ MomentumBalance Simulation::momenta() const
   MomentumBalance m{projectile.linear, projectile.angular};
   for (std::size_t i = 0; i < plates_.size(); ++i)
   {
-    const auto sum = far_fields_[i] ? far_fields_[i]->momenta() : plates_[i]->momenta();
+    const auto sum = coupled_plates_[i] ? coupled_plates_[i]->momenta() : plates_[i]->momenta();
     m.linear += multiplicity_ * sum.linear;
     m.angular += multiplicity_ * sum.angular;
   }
@@ -418,9 +418,9 @@ void Simulation::check_finite() const
         });
   }
   for (std::size_t i = 0; i < plates_.size() && complaint.empty(); ++i)
-    if (far_fields_[i])
+    if (coupled_plates_[i])
     {
-      const auto &elements = far_fields_[i]->elements();
+      const auto &elements = coupled_plates_[i]->elements();
       for (int node = 0; node < elements.mesh().n_owned_nodes() && complaint.empty(); ++node)
         for (const auto *field : {&elements.position(), &elements.velocity(), &elements.force()})
           if (!Vector3((*field)[3 * node], (*field)[3 * node + 1], (*field)[3 * node + 2])
@@ -500,8 +500,8 @@ ElementFrame Simulation::elements() const
 {
   ElementFrame frame;
   for (std::size_t i = 0; i < plates_.size(); ++i)
-    if (far_fields_[i])
-      add_elements(*far_fields_[i], static_cast<int>(i) + 1, frame);
+    if (coupled_plates_[i])
+      add_elements(*coupled_plates_[i], static_cast<int>(i) + 1, frame);
   return frame;
 }
 } // namespace ricochet

@@ -74,12 +74,12 @@ public:
                                        mu, std::numeric_limits<double>::infinity()};
     const Lattice::Box box{
         Vector3::Zero(), parameters.spacing, {n * n_cells, n * n_cells, n * n_cells}, false};
-    points_           = std::make_unique<PeridynamicForce>(communicator, 0, box, stencil, material,
-                                                 Lattice::Mask{}, nullptr, zone_.get());
-    options_.coupling = parameters.coupling;
+    points_             = std::make_unique<PeridynamicBody>(communicator, 0, box, stencil, material,
+                                                Lattice::Mask{}, nullptr, zone_.get());
+    options_.coupling   = parameters.coupling;
     options_.quadrature = parameters.full_quadrature ? Quadrature::full : Quadrature::one_point;
     options_.hourglass_coefficient = parameters.hourglass_coefficient;
-    far_                = std::make_unique<FarField>(communicator, *points_, *zone_, options_);
+    far_                = std::make_unique<CoupledPlate>(communicator, *points_, *zone_, options_);
     const auto &lattice = points_->lattice();
     lattice.for_each_owned(
         [&](const std::ptrdiff_t p)
@@ -89,7 +89,7 @@ public:
         });
   }
 
-  FarField &plate() { return *far_; }
+  CoupledPlate &plate() { return *far_; }
   double predicted_step() const { return predicted_time_step(*points_, &options_).step(); }
   double measured_step()
   {
@@ -199,10 +199,10 @@ private:
 
   MPI_Comm communicator_;
   StabilityParameters parameters_;
-  FarFieldOptions options_;
+  CoupledPlateOptions options_;
   std::unique_ptr<Zone> zone_;
-  std::unique_ptr<PeridynamicForce> points_;
-  std::unique_ptr<FarField> far_;
+  std::unique_ptr<PeridynamicBody> points_;
+  std::unique_ptr<CoupledPlate> far_;
   std::vector<std::ptrdiff_t> free_;
   double wave_speed_; // c_P [m/s]
 };
@@ -221,9 +221,9 @@ void find_growth(const std::vector<double> &kinetic, StabilityResult &result)
   result.growth_per_us   = result.growth_per_step / (result.time_step / units::us);
 }
 
-void judge(const VerdictLimits &limits, StabilityResult &result)
+void judge(const StabilityLimits &limits, StabilityResult &result)
 {
-  result.verdict = Verdict::unstable;
+  result.verdict = StabilityVerdict::unstable;
   // Growth may end where strains are no longer small; the rise stays.
   if (result.ran_away || result.rise > limits.rise || result.growth > limits.growth)
     result.reason = "kinetic energy grows";
@@ -231,27 +231,27 @@ void judge(const VerdictLimits &limits, StabilityResult &result)
     result.reason = "hourglass modes drift";
   else
   {
-    result.verdict = Verdict::inaccurate;
+    result.verdict = StabilityVerdict::inaccurate;
     if (!(result.patch.strain_error <= limits.strain_error))
       result.reason = "strain error";
     else if (result.energy_drift > limits.energy_drift)
       result.reason = "energy drift";
     else
-      result.verdict = Verdict::stable;
+      result.verdict = StabilityVerdict::stable;
   }
 }
 } // namespace
 
-const char *verdict_name(const Verdict verdict)
+const char *verdict_name(const StabilityVerdict verdict)
 {
-  return verdict == Verdict::stable       ? "stable"
-         : verdict == Verdict::inaccurate ? "inaccurate"
-                                          : "unstable";
+  return verdict == StabilityVerdict::stable       ? "stable"
+         : verdict == StabilityVerdict::inaccurate ? "inaccurate"
+                                                   : "unstable";
 }
 
 StabilityResult run_stability_experiment(const MPI_Comm communicator,
                                          const StabilityParameters &parameters,
-                                         const VerdictLimits &limits)
+                                         const StabilityLimits &limits)
 {
   Experiment experiment(communicator, parameters);
   StabilityResult result{};

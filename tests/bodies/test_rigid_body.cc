@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/random.h"
 #include "ricochet/bodies/rigid_body.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/base/exceptions.h"
 #include "commands/bench.h"
 #include "commands/bench_history.h"
+#include "ricochet/base/exceptions.h"
 
 #include <gtest/gtest.h>
 #include <mpi.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/base/exceptions.h"
 #include "commands/bench_elements.h"
+#include "ricochet/base/exceptions.h"
 #include "ricochet/kernels/hex_kernel.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // No contact is ever missed: at every step of a violent run the forces and the number of contacts
 // are those of the double loop over all points of all ranks and their images.
-#include "support/body.h"
 #include "ricochet/base/exchange.h"
 #include "ricochet/contact/short_range_contact.h"
+#include "support/body.h"
 #include "support/small_scene.h"
 
 #include <gtest/gtest.h>
@@ -99,8 +99,8 @@ struct Reference
   double n_touching = 0.;                  // half of a pair for each point of this rank in it
 };
 
-/// The law of forces/debris_contact.h on the points of this rank, from all others. `n_untouched`
-/// counts foreign pairs in contact of which neither point is damaged.
+/// The law of contact/short_range_contact.h on the points of this rank, from all others.
+/// `n_untouched` counts foreign pairs in contact of which neither point is damaged.
 Reference reference_forces(const Bodies &bodies, const bool mirrored)
 {
   int rank;
@@ -198,7 +198,7 @@ Bodies colliding_bodies(const Collision &collision)
 
 /// Steps the bodies and compares every step with the double loop; returns the largest number of
 /// contacts.
-double expect_all_contacts(const Bodies &bodies, DebrisContact &debris, const bool mirrored,
+double expect_all_contacts(const Bodies &bodies, ShortRangeContact &debris, const bool mirrored,
                            const double dt, const int n_steps)
 {
   double most_touching = 0.;
@@ -240,7 +240,7 @@ double expect_all_contacts(const Bodies &bodies, DebrisContact &debris, const bo
 TEST_P(ContactSearches, NoContactIsEverMissed)
 {
   const auto bodies = colliding_bodies(GetParam());
-  DebrisContact debris(MPI_COMM_WORLD, bodies, factor, GetParam().mirrored, GetParam().search);
+  ShortRangeContact debris(MPI_COMM_WORLD, bodies, factor, GetParam().mirrored, GetParam().search);
   // A tenth of a spacing per step for the fastest.
   const int n_steps = 120;
   EXPECT_GT(expect_all_contacts(bodies, debris, GetParam().mirrored, 0.05e-6, n_steps), 100.);
@@ -286,7 +286,7 @@ TEST_P(ContactSearches, FragmentIsFeltBySoundMaterialFarFromAllDamage)
                          dx * Vector3(50.3 + c[0], side * (c[1] + 5.7) * 0.5, 7.2 + c[2]));
                      set(a.velocity, p, Vector3(100., 0., -1500.));
                    });
-    DebrisContact debris(MPI_COMM_WORLD, bodies, factor, collision.mirrored, collision.search);
+    ShortRangeContact debris(MPI_COMM_WORLD, bodies, factor, collision.mirrored, collision.search);
     EXPECT_GT(expect_all_contacts(bodies, debris, collision.mirrored, 0.05e-6, 60), 3.);
   }
 }
@@ -364,7 +364,7 @@ TEST(ContactSearch, UnknownNameShowsTheMenu)
   const auto bodies = colliding_bodies(collision);
   try
   {
-    DebrisContact debris(MPI_COMM_WORLD, bodies, 1., false, "octree");
+    ShortRangeContact debris(MPI_COMM_WORLD, bodies, 1., false, "octree");
     FAIL() << "no error";
   }
   catch (const InputError &error)

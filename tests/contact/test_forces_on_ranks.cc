@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Forces on a cloud of debris that is spread over all ranks and over both sides of the symmetry
 // plane: exactly those which one rank computes.
-#include "support/body.h"
 #include "ricochet/contact/exponential_friction.h"
 #include "ricochet/contact/short_range_contact.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ struct Result
 /// step without one.
 Result cloud_forces(const MPI_Comm communicator, const Setup &setup)
 {
-  std::vector<std::unique_ptr<PeridynamicForce>> bodies;
+  std::vector<std::unique_ptr<PeridynamicBody>> bodies;
   for (int number = 0; number < setup.n_bodies; ++number)
   {
     BodySample sample;
@@ -66,10 +66,10 @@ Result cloud_forces(const MPI_Comm communicator, const Setup &setup)
     bodies.push_back(make_body(sample));
   }
   const ExponentialFriction law({"exponential", 0.5, 0.05, 0.01, 5.});
-  DebrisContact::Friction friction;
+  ShortRangeContact::Friction friction;
   if (setup.friction)
     friction = {&law, 1., 5.};
-  DebrisContact debris(communicator, bodies, 1., setup.mirrored, "linked cells", friction);
+  ShortRangeContact debris(communicator, bodies, 1., setup.mirrored, "linked cells", friction);
   for (const int seed : {67, 71})
   {
     for (const auto &body : bodies)

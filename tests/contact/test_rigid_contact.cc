@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/body.h"
 #include "ricochet/contact/rigid_contact.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ RigidBody ploughing_core()
   return RigidBody(core, 5e-3, motion, false);
 }
 
-void shake(PeridynamicForce &plate)
+void shake(PeridynamicBody &plate)
 {
   Random random(47);
   auto &a = plate.state().arrays;
@@ -54,13 +54,13 @@ void shake(PeridynamicForce &plate)
                  });
 }
 
-TEST(ProjectileContact, ForcesAndMomentsOnPointsAndProjectileCancel)
+TEST(RigidContact, ForcesAndMomentsOnPointsAndProjectileCancel)
 {
   for (const auto &friction : friction_law_samples)
   {
     const auto plate = make_body(bed(30, 12, 4));
     const auto law   = make_friction_law(friction);
-    ProjectileContact contact(MPI_COMM_SELF, *law, {5e6, 40., 5.}, false, 30);
+    RigidContact contact(MPI_COMM_SELF, *law, {5e6, 40., 5.}, false, 30);
     const auto body = ploughing_core();
     shake(*plate);
     const auto reaction = contact.evaluate(body, *plate);
@@ -85,11 +85,11 @@ TEST(ProjectileContact, ForcesAndMomentsOnPointsAndProjectileCancel)
   }
 }
 
-TEST(ProjectileContact, NormalForceIsTheGradientOfTheStoredEnergy)
+TEST(RigidContact, NormalForceIsTheGradientOfTheStoredEnergy)
 {
   const auto plate = make_body(bed(30, 12, 4));
   const auto law   = make_friction_law(no_friction);
-  ProjectileContact contact(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
+  RigidContact contact(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
   shake(*plate);
   const auto start  = ploughing_core().motion();
   const auto energy = [&](const RigidBody::Motion &motion)
@@ -115,7 +115,7 @@ TEST(ProjectileContact, NormalForceIsTheGradientOfTheStoredEnergy)
   }
 }
 
-TEST(ProjectileContact, NormalForceIsStiffnessTimesDepth)
+TEST(RigidContact, NormalForceIsStiffnessTimesDepth)
 {
   // A flat face 0.2 dx deep in the spheres of diameter dx around the points.
   const auto plate = make_body(bed(4, 4));
@@ -124,7 +124,7 @@ TEST(ProjectileContact, NormalForceIsStiffnessTimesDepth)
   auto motion        = at({0., 0., 5. * dx - 0.2 * dx});
   motion.orientation = Eigen::AngleAxisd(M_PI / 2., Vector3::UnitY()); // axis down
   const double k     = 3e6;
-  ProjectileContact contact(MPI_COMM_SELF, *law, {k, 0., 5.}, false, 4);
+  RigidContact contact(MPI_COMM_SELF, *law, {k, 0., 5.}, false, 4);
   const auto reaction = contact.evaluate(RigidBody(cylinder, 1., motion, false), *plate);
   EXPECT_EQ(reaction.n_touching, 16.);
   EXPECT_NEAR(reaction.deepest, 0.2 * dx, 1e-15);
@@ -132,7 +132,7 @@ TEST(ProjectileContact, NormalForceIsStiffnessTimesDepth)
   EXPECT_NEAR(reaction.energy, 16. * 0.5 * k * std::pow(0.2 * dx, 2), 1e-9 * k * dx * dx);
 }
 
-TEST(ProjectileContact, FrictionOpposesSlidingAndFallsLinearlyBelowTheRegularisationSpeed)
+TEST(RigidContact, FrictionOpposesSlidingAndFallsLinearlyBelowTheRegularisationSpeed)
 {
   for (const auto &friction : friction_law_samples)
   {
@@ -141,8 +141,7 @@ TEST(ProjectileContact, FrictionOpposesSlidingAndFallsLinearlyBelowTheRegularisa
     const BodyOfRevolution cylinder({NoseShape::flat, 40. * dx, 10. * dx, 0.});
     auto motion        = at({0., 0., 5. * dx - 0.2 * dx});
     motion.orientation = Eigen::AngleAxisd(M_PI / 2., Vector3::UnitY());
-    ProjectileContact contact(MPI_COMM_SELF, *law, {3e6, 0., friction.regularisation_speed}, false,
-                              4);
+    RigidContact contact(MPI_COMM_SELF, *law, {3e6, 0., friction.regularisation_speed}, false, 4);
     const Vector3 direction = Vector3(3., -4., 0.) / 5.;
     for (const double speed : {0., 1e-3, 2.5, 5., 50., 500.})
     {
@@ -157,14 +156,14 @@ TEST(ProjectileContact, FrictionOpposesSlidingAndFallsLinearlyBelowTheRegularisa
   }
 }
 
-TEST(ProjectileContact, ShankResistanceActsOnTheShankOnly)
+TEST(RigidContact, ShankResistanceActsOnTheShankOnly)
 {
   auto sample             = bed(20, 6);
   sample.corner.x()       = -5. * dx; // in front of the base's edge, where normals tilt
   const auto plate        = make_body(sample);
   const auto law          = make_friction_law(constant_friction);
   const double resistance = 40.; // N per point, as fraction times A dx^2
-  ProjectileContact contact(MPI_COMM_SELF, *law, {5e6, resistance, 5.}, false, 20);
+  RigidContact contact(MPI_COMM_SELF, *law, {5e6, resistance, 5.}, false, 20);
   auto motion     = at({0., 0., 3e-3 - 0.3 * dx}); // lies on its shank
   motion.velocity = Vector3(100., 0., 0.);
   const RigidBody body(core, 5e-3, motion, false);
@@ -182,7 +181,7 @@ TEST(ProjectileContact, ShankResistanceActsOnTheShankOnly)
   EXPECT_NEAR(reaction.shank.x(), -0.2 * resistance * on_shank, 1e-10);
 }
 
-TEST(ProjectileContact, SymmetryPlaneDoublesForcesAndRemovesWhatItForbids)
+TEST(RigidContact, SymmetryPlaneDoublesForcesAndRemovesWhatItForbids)
 {
   auto sample            = bed(30, 12, 4);
   auto half_sample       = sample;
@@ -196,7 +195,7 @@ TEST(ProjectileContact, SymmetryPlaneDoublesForcesAndRemovesWhatItForbids)
   motion.velocity    = Vector3(200., 0., -60.);
   motion.spin        = Vector3(0., -9000., 0.);
   const RigidBody body(core, 5e-3, motion, true);
-  ProjectileContact on_full(MPI_COMM_SELF, *law, {5e6, 40., 5.}, false, 30),
+  RigidContact on_full(MPI_COMM_SELF, *law, {5e6, 40., 5.}, false, 30),
       on_half(MPI_COMM_SELF, *law, {5e6, 40., 5.}, true, 30);
   const auto f = on_full.evaluate(body, *full), h = on_half.evaluate(body, *half);
   EXPECT_EQ(f.n_touching, h.n_touching);
@@ -209,7 +208,7 @@ TEST(ProjectileContact, SymmetryPlaneDoublesForcesAndRemovesWhatItForbids)
   EXPECT_EQ(h.moment.z(), 0.);
 }
 
-TEST(ProjectileContact, BlockSlidingOnAFlatFaceStopsWhereCoulombSays)
+TEST(RigidContact, BlockSlidingOnAFlatFaceStopsWhereCoulombSays)
 {
   // Stops after v0/(mu g) at v0^2/(2 mu g), 1 %. An elastic block of
   // points slides on the flat end of a large fixed cylinder; gravity is scaled up so that this
@@ -226,8 +225,7 @@ TEST(ProjectileContact, BlockSlidingOnAFlatFaceStopsWhereCoulombSays)
   const double mu = 0.2, v0 = 10., g = 3e4;
   const auto law = make_friction_law({"constant", mu, 0., 0., 0.});
   const double k = youngs_modulus(block->material()) * dx;
-  ProjectileContact contact(MPI_COMM_SELF, *law, {k, 0., /*regularisation_speed=*/0.02 * v0}, false,
-                            6);
+  RigidContact contact(MPI_COMM_SELF, *law, {k, 0., /*regularisation_speed=*/0.02 * v0}, false, 6);
   const double depth = 3. * block->point_mass() * g / k; // three layers rest on each spring
   for_each_point(*block,
                  [&](const std::ptrdiff_t p)
@@ -289,20 +287,20 @@ struct BallOnBed
   {
   }
 
-  ProjectileContact::Reaction step(const double dt, const double weight)
+  RigidContact::Reaction step(const double dt, const double weight)
   {
     const auto reaction = contact.evaluate(ball, *plate);
     ball.advance(reaction.force() - Vector3(0., 0., weight), reaction.moment, dt, dt);
     return reaction;
   }
 
-  std::unique_ptr<PeridynamicForce> plate;
+  std::unique_ptr<PeridynamicBody> plate;
   std::unique_ptr<FrictionLaw> law;
-  ProjectileContact contact;
+  RigidContact contact;
   RigidBody ball;
 };
 
-TEST(ProjectileContact, SphereSlidesThenRollsAtFiveSeventhsOfItsSpeed)
+TEST(RigidContact, SphereSlidesThenRollsAtFiveSeventhsOfItsSpeed)
 {
   // v = 5/7 v0 after 2 v0/(7 mu g).
   const double v0 = 10., mu = 0.2, g = 2000., mass = 1.;
@@ -331,7 +329,7 @@ TEST(ProjectileContact, SphereSlidesThenRollsAtFiveSeventhsOfItsSpeed)
   EXPECT_NEAR(m.velocity.y(), 0., 1e-3 * v0);
 }
 
-TEST(ProjectileContact, ObliqueReboundInGrossSlipHasTheImpulseOfCoulomb)
+TEST(RigidContact, ObliqueReboundInGrossSlipHasTheImpulseOfCoulomb)
 {
   // dv_t = -mu (1 + e) v_n, spin 5 mu (1 + e) v_n/(2 R); gross slip while
   // tan(alpha) > 3.5 mu (1 + e) = 1.4. The springs store and return everything: e = 1.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/body.h"
 #include "ricochet/contact/constant_friction.h"
 #include "ricochet/contact/exponential_friction.h"
 #include "ricochet/contact/short_range_contact.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@ namespace
 {
 constexpr double dx = 1e-3;
 
-using Bodies = std::vector<std::unique_ptr<PeridynamicForce>>;
+using Bodies = std::vector<std::unique_ptr<PeridynamicBody>>;
 
 /// A body of one point at `position`, which the lattice puts half a spacing from its corner.
-std::unique_ptr<PeridynamicForce> one_point(const int number, const Vector3 &position)
+std::unique_ptr<PeridynamicBody> one_point(const int number, const Vector3 &position)
 {
   BodySample sample;
   sample.n      = {1, 1, 1};
@@ -28,18 +28,18 @@ std::unique_ptr<PeridynamicForce> one_point(const int number, const Vector3 &pos
 
 /// f = factor 18 K V^2 / (pi delta^5): Macek and Silling 2007, with c = 18 K / (pi delta^4) at the
 /// stretch (d - r)/delta.
-double pair_stiffness(const PeridynamicForce &body, const double factor)
+double pair_stiffness(const PeridynamicBody &body, const double factor)
 {
   return factor * 18. * body.material().bulk_modulus * std::pow(dx, 6) /
          (M_PI * std::pow(3. * dx, 5));
 }
 
-std::ptrdiff_t only_point(const PeridynamicForce &body)
+std::ptrdiff_t only_point(const PeridynamicBody &body)
 {
   return body.lattice().index(0, 0, 0);
 }
 
-void step(Bodies &bodies, DebrisContact &debris, const double dt, const bool breaking = false)
+void step(Bodies &bodies, ShortRangeContact &debris, const double dt, const bool breaking = false)
 {
   for (const auto &body : bodies)
   {
@@ -55,13 +55,13 @@ void advance(Bodies &bodies, const double dt)
     body->advance(dt, dt);
 }
 
-TEST(DebrisContact, PointsOfTwoBodiesRepelByTheStatedLaw)
+TEST(ShortRangeContact, PointsOfTwoBodiesRepelByTheStatedLaw)
 {
   Bodies bodies;
   bodies.push_back(one_point(0, {0., 0., 0.}));
   bodies.push_back(one_point(1, {3. * dx, 0., 0.}));
   const double factor = 0.7;
-  DebrisContact debris(MPI_COMM_SELF, bodies, factor, /*mirrored=*/false);
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, factor, /*mirrored=*/false);
   const auto p = only_point(*bodies[0]), q = only_point(*bodies[1]);
   const double d  = 1.35 * dx; // min(0.9 * 3 dx, 1.35 dx)
   const Vector3 n = Vector3(1., 2., -1.).normalized();
@@ -78,12 +78,12 @@ TEST(DebrisContact, PointsOfTwoBodiesRepelByTheStatedLaw)
   }
 }
 
-TEST(DebrisContact, NormalForceIsTheGradientOfTheStoredEnergy)
+TEST(ShortRangeContact, NormalForceIsTheGradientOfTheStoredEnergy)
 {
   Bodies bodies;
   bodies.push_back(one_point(0, {0., 0., 0.}));
   bodies.push_back(one_point(1, {3. * dx, 0., 0.}));
-  DebrisContact debris(MPI_COMM_SELF, bodies, 1., false);
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, 1., false);
   const auto q = only_point(*bodies[1]);
   const Vector3 x(0.6 * dx, 0.5 * dx, -0.4 * dx);
   const double h = 1e-6 * dx; // truncation h^2, rounding 1e-16/1e-6
@@ -104,7 +104,7 @@ TEST(DebrisContact, NormalForceIsTheGradientOfTheStoredEnergy)
   }
 }
 
-TEST(DebrisContact, HeadOnCollisionExchangesTheVelocities)
+TEST(ShortRangeContact, HeadOnCollisionExchangesTheVelocities)
 {
   const double v = 50.;
   double error[2];
@@ -113,7 +113,7 @@ TEST(DebrisContact, HeadOnCollisionExchangesTheVelocities)
     Bodies bodies;
     bodies.push_back(one_point(0, {0., 0., 0.}));
     bodies.push_back(one_point(1, {3. * dx, 0., 0.}));
-    DebrisContact debris(MPI_COMM_SELF, bodies, 1., false);
+    ShortRangeContact debris(MPI_COMM_SELF, bodies, 1., false);
     const auto p = only_point(*bodies[0]), q = only_point(*bodies[1]);
     auto &a = bodies[0]->state().arrays, &b = bodies[1]->state().arrays;
     set(a.velocity, p, {v, 0., 0.});
@@ -141,7 +141,7 @@ TEST(DebrisContact, HeadOnCollisionExchangesTheVelocities)
   EXPECT_LT(error[1], 0.005 / 4.);
 }
 
-TEST(DebrisContact, DebrisFlyingAtTheSymmetryPlaneBouncesOffItsImage)
+TEST(ShortRangeContact, DebrisFlyingAtTheSymmetryPlaneBouncesOffItsImage)
 {
   BodySample sample;
   sample.family.horizon_ratio = 1.5; // reaches the next point only
@@ -150,7 +150,7 @@ TEST(DebrisContact, DebrisFlyingAtTheSymmetryPlaneBouncesOffItsImage)
   sample.critical_stretch     = 0.01;
   Bodies bodies;
   bodies.push_back(make_body(sample));
-  DebrisContact debris(MPI_COMM_SELF, bodies, 1., /*mirrored=*/true);
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, 1., /*mirrored=*/true);
   auto &body = *bodies[0];
   auto &a    = body.state().arrays;
   // Far from each other all bonds break; then only the image is near.
@@ -183,7 +183,7 @@ TEST(DebrisContact, DebrisFlyingAtTheSymmetryPlaneBouncesOffItsImage)
   }
 }
 
-TEST(DebrisContact, DebrisAcrossTheSymmetryPlaneMeetsImagesFarBehindIt)
+TEST(ShortRangeContact, DebrisAcrossTheSymmetryPlaneMeetsImagesFarBehindIt)
 {
   // A point that has crossed the plane, y = -2 dx, and the image of another at y = -3 dx: the force
   // on either must be what it does to the other one's image. Images were once only made near the
@@ -195,7 +195,7 @@ TEST(DebrisContact, DebrisAcrossTheSymmetryPlaneMeetsImagesFarBehindIt)
   sample.critical_stretch     = 0.01;
   Bodies bodies;
   bodies.push_back(make_body(sample));
-  DebrisContact debris(MPI_COMM_SELF, bodies, 1., true);
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, 1., true);
   auto &body = *bodies[0];
   auto &a    = body.state().arrays;
   int n      = 0;
@@ -211,7 +211,7 @@ TEST(DebrisContact, DebrisAcrossTheSymmetryPlaneMeetsImagesFarBehindIt)
             force(body, q).y()); // the image of q pushes p towards positive y, as q's reaction says
 }
 
-TEST(DebrisContact, DebrisAcrossTheSymmetryPlaneMeetsTheImageOfIntactSurface)
+TEST(ShortRangeContact, DebrisAcrossTheSymmetryPlaneMeetsTheImageOfIntactSurface)
 {
   // One corner point is torn off a plate and lies beside the image of the plate's far edge, which
   // is undamaged and nowhere near any debris on its own side.
@@ -222,7 +222,7 @@ TEST(DebrisContact, DebrisAcrossTheSymmetryPlaneMeetsTheImageOfIntactSurface)
   sample.critical_stretch     = 0.01;
   Bodies bodies;
   bodies.push_back(make_body(sample));
-  DebrisContact debris(MPI_COMM_SELF, bodies, 1., true);
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, 1., true);
   auto &body   = *bodies[0];
   const auto p = body.lattice().index(0, 0, 0), q = body.lattice().index(3, 7, 0);
   const Vector3 far = reference(body, q);
@@ -237,7 +237,7 @@ TEST(DebrisContact, DebrisAcrossTheSymmetryPlaneMeetsTheImageOfIntactSurface)
   EXPECT_LT(force(body, q).z(), 0.);
 }
 
-TEST(DebrisContact, StackedPlatesAtRestDoNotFeelEachOther)
+TEST(ShortRangeContact, StackedPlatesAtRestDoNotFeelEachOther)
 {
   for (const double gap : {0., 0.5, 1., 2.}) // in spacings; surface points are gap + 1 apart
   {
@@ -250,7 +250,7 @@ TEST(DebrisContact, StackedPlatesAtRestDoNotFeelEachOther)
       sample.corner = {0., 0., -number * (4. + gap) * dx};
       bodies.push_back(make_body(sample));
     }
-    DebrisContact debris(MPI_COMM_SELF, bodies, 1., false);
+    ShortRangeContact debris(MPI_COMM_SELF, bodies, 1., false);
     step(bodies, debris, 1e-7);
     EXPECT_EQ(debris.energy(), 0.) << gap;
     for (const auto &body : bodies)
@@ -264,7 +264,7 @@ TEST(DebrisContact, StackedPlatesAtRestDoNotFeelEachOther)
   }
 }
 
-TEST(DebrisContact, PlatesPushedTogetherShareOneMomentum)
+TEST(ShortRangeContact, PlatesPushedTogetherShareOneMomentum)
 {
   Bodies bodies;
   for (const int number : {0, 1})
@@ -275,7 +275,7 @@ TEST(DebrisContact, PlatesPushedTogetherShareOneMomentum)
     sample.corner = {0., 0., -number * 4. * dx};
     bodies.push_back(make_body(sample));
   }
-  DebrisContact debris(MPI_COMM_SELF, bodies, 1., false);
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, 1., false);
   // The lower plate rises by a third of a spacing and shifts a little.
   for_each_point(*bodies[1],
                  [&](const std::ptrdiff_t p)
@@ -302,7 +302,7 @@ TEST(DebrisContact, PlatesPushedTogetherShareOneMomentum)
 /// Two bodies of one point each that overlap: the first at the origin, the second 1.2 dx away.
 struct Pair
 {
-  explicit Pair(const DebrisContact::Friction &friction, const double second_density = 0.)
+  explicit Pair(const ShortRangeContact::Friction &friction, const double second_density = 0.)
   {
     bodies.push_back(one_point(0, Vector3::Zero()));
     BodySample sample;
@@ -312,21 +312,21 @@ struct Pair
     if (second_density > 0.)
       sample.family.law.density = second_density;
     bodies.push_back(make_body(sample));
-    debris =
-        std::make_unique<DebrisContact>(MPI_COMM_SELF, bodies, 1., false, "linked cells", friction);
-    p = only_point(*bodies[0]);
-    q = only_point(*bodies[1]);
+    debris = std::make_unique<ShortRangeContact>(MPI_COMM_SELF, bodies, 1., false, "linked cells",
+                                                 friction);
+    p      = only_point(*bodies[0]);
+    q      = only_point(*bodies[1]);
     set(bodies[1]->state().arrays.position, q, Vector3(1.2 * dx * n));
   }
 
   Vector3 n     = Vector3(1., 2., -1.).normalized();
   Vector3 along = Vector3(1., 1., 3.).normalized(); // n . along = 0
   Bodies bodies;
-  std::unique_ptr<DebrisContact> debris;
+  std::unique_ptr<ShortRangeContact> debris;
   std::ptrdiff_t p, q;
 };
 
-TEST(DebrisContact, PointsOfTwoBodiesRubByTheStatedLaw)
+TEST(ShortRangeContact, PointsOfTwoBodiesRubByTheStatedLaw)
 {
   const ExponentialFriction law({"exponential", 0.5, 0.05, 0.01, 5.});
   const double factor = 0.8, v_reg = 5., dt = 1e-9; // too short to be stopped in
@@ -348,7 +348,7 @@ TEST(DebrisContact, PointsOfTwoBodiesRubByTheStatedLaw)
   }
 }
 
-TEST(DebrisContact, FrictionNeverDrivesPointsBack)
+TEST(ShortRangeContact, FrictionNeverDrivesPointsBack)
 {
   const ConstantFriction law({"constant", 100., 0., 0., 1.});
   Pair pair({&law, 1., 1.}, /*second_density=*/5000.);
@@ -368,13 +368,13 @@ TEST(DebrisContact, FrictionNeverDrivesPointsBack)
   }
 }
 
-TEST(DebrisContact, HeatOfFrictionIsTheEnergyThatACollisionLoses)
+TEST(ShortRangeContact, HeatOfFrictionIsTheEnergyThatACollisionLoses)
 {
   const ConstantFriction law({"constant", 0.3, 0., 0., 1.});
   Bodies bodies;
   bodies.push_back(one_point(0, {0., 0., 0.}));
   bodies.push_back(one_point(1, {3. * dx, 0., 0.}));
-  DebrisContact debris(MPI_COMM_SELF, bodies, 1., false, "linked cells", {&law, 1., 1.});
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, 1., false, "linked cells", {&law, 1., 1.});
   const auto p = only_point(*bodies[0]), q = only_point(*bodies[1]);
   auto &a = bodies[0]->state().arrays, &b = bodies[1]->state().arrays;
   set(a.position, p, Vector3(0., -0.5 * dx, 0.));
@@ -400,12 +400,12 @@ TEST(DebrisContact, HeatOfFrictionIsTheEnergyThatACollisionLoses)
   EXPECT_NEAR(initial - kinetic(), heat, 2e-4 * initial);
 }
 
-TEST(DebrisContact, FactorZeroSwitchesItOff)
+TEST(ShortRangeContact, FactorZeroSwitchesItOff)
 {
   Bodies bodies;
   bodies.push_back(one_point(0, {0., 0., 0.}));
   bodies.push_back(one_point(1, {3. * dx, 0., 0.}));
-  DebrisContact debris(MPI_COMM_SELF, bodies, 0., false);
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, 0., false);
   const auto q = only_point(*bodies[1]);
   set(bodies[1]->state().arrays.position, q, Vector3(0.5 * dx, 0., 0.));
   step(bodies, debris, 1e-7);
@@ -414,13 +414,13 @@ TEST(DebrisContact, FactorZeroSwitchesItOff)
   EXPECT_EQ(debris.squared_frequency(*bodies[0]), 0.);
 }
 
-TEST(DebrisContact, SearchFindsBodiesThatMeetLongAfterTheFirstSearch)
+TEST(ShortRangeContact, SearchFindsBodiesThatMeetLongAfterTheFirstSearch)
 {
   // Fast enough to cross the skin in 20 steps, far enough to need several searches.
   Bodies bodies;
   bodies.push_back(one_point(0, {0., 0., 0.}));
   bodies.push_back(one_point(1, {15. * dx, 0.4 * dx, 0.}));
-  DebrisContact debris(MPI_COMM_SELF, bodies, 1., false);
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, 1., false);
   const auto p = only_point(*bodies[0]), q = only_point(*bodies[1]);
   set(bodies[1]->state().arrays.velocity, q, Vector3(-100., 0., 0.));
   const double dt = 0.05 * dx / 100.;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/body.h"
-#include "support/hexahedra.h"
 #include "ricochet/contact/friction_laws.h"
 #include "ricochet/contact/surface_contact.h"
 #include "ricochet/geometry/revolved_hexes.h"
+#include "support/body.h"
+#include "support/hexahedra.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ const BodyOfRevolution core({NoseShape::ogive, 6e-3, 20e-3, 9e-3});
 /// A plate whose points are shaken out of place, and a bent, tumbling core that ploughs through it.
 struct Ploughing
 {
-  std::unique_ptr<PeridynamicForce> plate;
-  ElasticBody body;
+  std::unique_ptr<PeridynamicBody> plate;
+  HexahedralBody body;
   FacetedSurface surface;
   std::vector<char> is_shank;
   Vector3 centre;
@@ -202,7 +202,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   RigidBody::Motion motion = scene.body.rigid_motion();
   const RigidBody rigid(core, 5e-3, motion, false);
   scene.clear();
-  ProjectileContact contact(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
+  RigidContact contact(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
   const auto reaction = contact.evaluate(rigid, *scene.plate);
   double on_rigid =
       reaction.friction.dot(motion.velocity) + reaction.friction_moment.dot(motion.spin);
@@ -211,7 +211,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
                  [&](const std::ptrdiff_t p) { total.push_back(force(*scene.plate, p)); });
   scene.clear();
   const auto none = make_friction_law({"constant", 0., 0., 0., 5.});
-  ProjectileContact without(MPI_COMM_SELF, *none, {5e6, 0., 5.}, false, 30);
+  RigidContact without(MPI_COMM_SELF, *none, {5e6, 0., 5.}, false, 30);
   without.evaluate(rigid, *scene.plate);
   std::size_t point = 0;
   for_each_point(*scene.plate,
@@ -237,7 +237,7 @@ TEST(SurfaceContact, AgreesWithTheRigidShapeWhenTheFacetsAreFine)
     auto motion         = scene.body.rigid_motion();
     motion.position -= motion.orientation * centroid(scene.body.solid()); // of the shape
     scene.clear();
-    ProjectileContact smooth(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
+    RigidContact smooth(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
     const auto expected = smooth.evaluate(RigidBody(core, 5e-3, motion, false), *scene.plate);
     difference[refinement - 2] = (reaction.force() - expected.force()).norm();
     EXPECT_LT(difference[refinement - 2], 0.1 * expected.force().norm());

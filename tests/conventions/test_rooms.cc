@@ -68,14 +68,17 @@ std::vector<Include> all_includes()
         {
           const std::string name = match[1];
           const bool is_public   = name.rfind("ricochet/", 0) == 0;
-          includes.push_back({relative.string(), room,
-                              is_public ? name.substr(9) : room + "/" + name, is_public});
+          includes.push_back(
+              {relative.string(), room, is_public ? name.substr(9) : room + "/" + name, is_public});
         }
     }
   return includes;
 }
 
-std::string room_of(const std::string &file) { return file.substr(0, file.find('/')); }
+std::string room_of(const std::string &file)
+{
+  return file.substr(0, file.find('/'));
+}
 
 TEST(Rooms, LookDownOnly)
 {

@@ -21,7 +21,7 @@ CoupledSample plate_with_column()
   return sample;
 }
 
-ZoneWatch::Parameters parameters(const bool adaptive)
+AdaptiveZone::Parameters parameters(const bool adaptive)
 {
   return {watched, adaptive};
 }
@@ -37,10 +37,10 @@ void pull(CoupledPlate &plate, const Zone::Cell &cell, const double spacings)
 
 constexpr double dt = 1e-6;
 
-TEST(ZoneWatch, QuietPlateIsLeftAlone)
+TEST(AdaptiveZone, QuietPlateIsLeftAlone)
 {
   CoupledPlate plate(plate_with_column());
-  ZoneWatch watch(MPI_COMM_SELF, *plate.far, parameters(true));
+  AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   const auto n_free = plate.zone->n_free_cells();
   for (int step = 0; step < 12; ++step)
     EXPECT_FALSE(watch.update(step * dt, dt));
@@ -50,24 +50,25 @@ TEST(ZoneWatch, QuietPlateIsLeftAlone)
   EXPECT_EQ(plate.zone->n_free_cells(), n_free);
 }
 
-TEST(ZoneWatch, FixedZoneSaysWhenItWasReached)
+TEST(AdaptiveZone, FixedZoneSaysWhenItWasReached)
 {
   CoupledPlate plate(plate_with_column());
-  ZoneWatch watch(MPI_COMM_SELF, *plate.far, parameters(false));
+  AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(false));
   EXPECT_FALSE(watch.update(0., dt));
   EXPECT_LT(watch.reached(), 0.);
   pull(plate, {9, 14, 2}, 0.008);
   for (int step = 1; step < 20; ++step)
     EXPECT_FALSE(watch.update(step * dt, dt));
   EXPECT_DOUBLE_EQ(watch.reached(),
-                   ZoneWatch::steps_between_looks * dt); // the next look, and the first one counts
+                   AdaptiveZone::steps_between_looks *
+                       dt); // the next look, and the first one counts
   EXPECT_EQ(watch.n_conversions(), 0);
 }
 
-TEST(ZoneWatch, StretchBelowTheLimitOrFarFromTheInterfaceDoesNotMatter)
+TEST(AdaptiveZone, StretchBelowTheLimitOrFarFromTheInterfaceDoesNotMatter)
 {
   CoupledPlate plate(plate_with_column());
-  ZoneWatch watch(MPI_COMM_SELF, *plate.far, parameters(true));
+  AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   pull(plate, {9, 14, 2}, 0.004);
   pull(plate, {14, 14, 2}, 0.008); // five cells inside
   for (int step = 0; step < 12; ++step)
@@ -75,10 +76,10 @@ TEST(ZoneWatch, StretchBelowTheLimitOrFarFromTheInterfaceDoesNotMatter)
   EXPECT_LT(watch.reached(), 0.);
 }
 
-TEST(ZoneWatch, AdaptiveZoneGrowsByColumnsOfBricks)
+TEST(AdaptiveZone, AdaptiveZoneGrowsByColumnsOfBricks)
 {
   CoupledPlate plate(plate_with_column());
-  ZoneWatch watch(MPI_COMM_SELF, *plate.far, parameters(true));
+  AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   pull(plate, {8, 14, 2}, -0.008);
   EXPECT_TRUE(watch.update(0., dt));
   EXPECT_EQ(watch.n_conversions(), 1);
@@ -103,27 +104,27 @@ TEST(ZoneWatch, AdaptiveZoneGrowsByColumnsOfBricks)
                    10.5 * plate.spacing);
 }
 
-TEST(ZoneWatch, ZoneAtItsLimitIsReported)
+TEST(AdaptiveZone, ZoneAtItsLimitIsReported)
 {
   auto limited  = plate_with_column();
   limited.limit = limited.zone;
   CoupledPlate plate(limited);
-  ZoneWatch watch(MPI_COMM_SELF, *plate.far, parameters(true));
+  AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   pull(plate, {8, 14, 2}, -0.008);
   EXPECT_FALSE(watch.update(3e-6, dt));
   EXPECT_EQ(watch.n_conversions(), 0);
   EXPECT_DOUBLE_EQ(watch.reached(), 3e-6);
 }
 
-TEST(ZoneWatch, ZoneWaitsForTheProjectileWithoutHavingReachedItsLimit)
+TEST(AdaptiveZone, ZoneWaitsForTheProjectileWithoutHavingReachedItsLimit)
 {
   CoupledPlate plate(plate_with_column());
-  ZoneWatch watch(MPI_COMM_SELF, *plate.far, parameters(true));
+  AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   pull(plate, {19, 14, 2}, 0.008);
   const double edge = 40. * plate.spacing; // of the zone
   EXPECT_FALSE(watch.update(0., dt, edge - 1e-6));
   EXPECT_LT(watch.reached(), 0.);
-  for (int step = 1; step < ZoneWatch::steps_between_looks; ++step)
+  for (int step = 1; step < AdaptiveZone::steps_between_looks; ++step)
     EXPECT_FALSE(watch.update(step * dt, dt, edge + 1e-6)) << "between two looks";
   EXPECT_TRUE(watch.update(1., dt, edge + 1e-6));
   EXPECT_LT(watch.reached(), 0.);
@@ -131,10 +132,10 @@ TEST(ZoneWatch, ZoneWaitsForTheProjectileWithoutHavingReachedItsLimit)
   EXPECT_FALSE(plate.zone->is_free({24, 14, 2}));
 }
 
-TEST(ZoneWatch, LossIsTheEnergyThatIsMissingAfterwards)
+TEST(AdaptiveZone, LossIsTheEnergyThatIsMissingAfterwards)
 {
   CoupledPlate plate(plate_with_column());
-  ZoneWatch watch(MPI_COMM_SELF, *plate.far, parameters(true));
+  AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   // A motion that elements with lumped masses and points hold differently.
   plate.set_velocity(
       [&](const Vector3 &X) -> Vector3 {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A projectile of points in front and elements behind, alone: its conserved quantities, waves
 // through the interface, its lowest modes.
-#include "support/hexahedra.h"
-#include "support/random.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/dynamics/coupled_body_time_step.h"
 #include "ricochet/dynamics/elastic_body_time_step.h"
 #include "ricochet/geometry/revolved_hexes.h"
 #include "ricochet/materials/bond_laws.h"
+#include "support/hexahedra.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -31,9 +31,9 @@ HexSolid mesh_of(const BodyOfRevolution &shape, const int refinement, const bool
   return half ? upper_half(whole, 1e-9) : whole;
 }
 
-CoupledBody::Parameters parameters(const HexSolid &mesh, const double spacing,
-                                   const double points_length, const bool half,
-                                   const bool corrected = true)
+CoupledProjectileBody::Parameters parameters(const HexSolid &mesh, const double spacing,
+                                             const double points_length, const bool half,
+                                             const bool corrected = true)
 {
   const auto m = steel();
   return {spacing,
@@ -46,7 +46,7 @@ CoupledBody::Parameters parameters(const HexSolid &mesh, const double spacing,
           corrected};
 }
 
-double step_of(CoupledBody &body)
+double step_of(CoupledProjectileBody &body)
 {
   return 0.8 * 2. / std::sqrt(estimate_largest_frequency(body).squared_frequency);
 }
@@ -56,7 +56,7 @@ struct Momenta
   Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
 };
 
-Momenta momenta(const CoupledBody &body)
+Momenta momenta(const CoupledProjectileBody &body)
 {
   Momenta sum;
   for (const auto &point : body.mass_points())
@@ -69,10 +69,10 @@ Momenta momenta(const CoupledBody &body)
   return sum;
 }
 
-TEST(CoupledBody, SpinningProjectileKeepsEnergyAndMomenta)
+TEST(CoupledProjectileBody, SpinningProjectileKeepsEnergyAndMomenta)
 {
   const HexSolid mesh = mesh_of(core, 1, false);
-  CoupledBody body(core, mesh, parameters(mesh, 0.75e-3, 10.23e-3, false));
+  CoupledProjectileBody body(core, mesh, parameters(mesh, 0.75e-3, 10.23e-3, false));
   const double dt = step_of(body);
   // As the body of elements in test_elastic_body.cc; besides, it rings.
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.6, Vector3(1., 1., 0.5).normalized()));
@@ -115,10 +115,10 @@ TEST(CoupledBody, SpinningProjectileKeepsEnergyAndMomenta)
   EXPECT_LT((last.angular - first.angular).norm(), 1e-10 * first.angular.norm());
 }
 
-TEST(CoupledBody, ForcesAreMinusTheGradientOfTheEnergy)
+TEST(CoupledProjectileBody, ForcesAreMinusTheGradientOfTheEnergy)
 {
   const HexSolid mesh = mesh_of(core, 1, true);
-  CoupledBody body(core, mesh, parameters(mesh, 0.75e-3, 10.23e-3, true));
+  CoupledProjectileBody body(core, mesh, parameters(mesh, 0.75e-3, 10.23e-3, true));
   Random random(3);
   std::vector<Vector3> direction;
   const auto place = [&](const double t)
@@ -144,12 +144,12 @@ TEST(CoupledBody, ForcesAreMinusTheGradientOfTheEnergy)
   EXPECT_NEAR(slope, power, 1e-7 * power);
 }
 
-TEST(CoupledBody, MassIsThatOfTheMeshAndTurningStressesNothing)
+TEST(CoupledProjectileBody, MassIsThatOfTheMeshAndTurningStressesNothing)
 {
   for (const bool half : {false, true})
   {
     const HexSolid mesh = mesh_of(core, 2, half);
-    CoupledBody body(core, mesh, parameters(mesh, 0.75e-3, 12e-3, half));
+    CoupledProjectileBody body(core, mesh, parameters(mesh, 0.75e-3, 12e-3, half));
     double mass = 0.;
     for (const auto &point : body.mass_points())
       mass += point.mass;
@@ -265,7 +265,7 @@ private:
     }
   }
 
-  Layers means(const std::vector<CoupledBody::MassPoint> &points, const double end) const
+  Layers means(const std::vector<CoupledProjectileBody::MassPoint> &points, const double end) const
   {
     Layers layers;
     for (const auto &point : points)
@@ -301,11 +301,11 @@ private:
 
   double width_, dt_;
   HexSolid mesh_;
-  CoupledBody body_;
-  ElasticBody elements_;
+  CoupledProjectileBody body_;
+  HexahedralBody elements_;
 };
 
-TEST(CoupledBody, PulsesPassTheInterface)
+TEST(CoupledProjectileBody, PulsesPassTheInterface)
 {
   // What the list asks of the plates' interface (V7), by the width of the pulse in horizons of
   // three spacings; whether elements are as large as two cells of the lattice or smaller than
@@ -326,7 +326,7 @@ TEST(CoupledBody, PulsesPassTheInterface)
     }
 }
 
-TEST(CoupledBody, PointsCarryPulsesAsFastAsElementsWithTheirSurfaceCorrected)
+TEST(CoupledProjectileBody, PointsCarryPulsesAsFastAsElementsWithTheirSurfaceCorrected)
 {
   // A pulse of four diameters, to 1 % as V6 asks of waves.
   const Bar bar(0.75e-3, 2, 24e-3), uncorrected(0.75e-3, 2, 24e-3, false);
@@ -340,8 +340,8 @@ TEST(CoupledBody, PointsCarryPulsesAsFastAsElementsWithTheirSurfaceCorrected)
 /// Frequency of the core's lowest mode along its axis (0) or across (2) [Hz]. It starts with a
 /// velocity of about that shape, whose share in the motion then changes sign twice a period.
 template <class Step>
-double frequency(const std::vector<CoupledBody::MassPoint> &points, const int axis, const double dt,
-                 Step &&step)
+double frequency(const std::vector<CoupledProjectileBody::MassPoint> &points, const int axis,
+                 const double dt, Step &&step)
 {
   const auto shape = [&](const double x)
   { return axis == 0 ? std::sin(M_PI * x / core.shape().length) : x * x; };
@@ -387,9 +387,9 @@ double frequency(const std::vector<CoupledBody::MassPoint> &points, const int ax
 /// Of the projectile of elements at refinement 2 [Hz].
 double elements_frequency(const HexSolid &mesh, const int axis)
 {
-  ElasticBody elements(mesh, steel(), true);
+  HexahedralBody elements(mesh, steel(), true);
   const double dt = 0.8 * 2. / std::sqrt(estimate_largest_frequency(elements).squared_frequency);
-  std::vector<CoupledBody::MassPoint> nodes;
+  std::vector<CoupledProjectileBody::MassPoint> nodes;
   for (int node = 0; node < elements.n_nodes(); ++node)
     nodes.push_back({mesh.nodes[node],
                      elements.node_mass(node),
@@ -406,7 +406,7 @@ double elements_frequency(const HexSolid &mesh, const int axis)
                    });
 }
 
-double frequency_of(CoupledBody &body, const int axis)
+double frequency_of(CoupledProjectileBody &body, const int axis)
 {
   const double dt = step_of(body);
   return frequency(body.mass_points(), axis, dt,
@@ -423,7 +423,7 @@ double relative_frequency(const int axis, const double spacing, const double poi
                           const bool corrected = true)
 {
   const HexSolid mesh = mesh_of(core, 2, true);
-  CoupledBody body(core, mesh, parameters(mesh, spacing, points_length, true, corrected));
+  CoupledProjectileBody body(core, mesh, parameters(mesh, spacing, points_length, true, corrected));
   const double ratio = frequency_of(body, axis) / elements_frequency(mesh, axis);
   std::printf("%s, dx %.2f mm, points %.2f mm%s: %.4f of the elements' frequency\n",
               axis == 0 ? "along" : "across", 1e3 * spacing, 1e3 * points_length,
@@ -431,7 +431,7 @@ double relative_frequency(const int axis, const double spacing, const double poi
   return ratio;
 }
 
-TEST(CoupledBody, RingsAsTheProjectileOfElements)
+TEST(CoupledProjectileBody, RingsAsTheProjectileOfElements)
 {
   // 3 %, as V9 asks of the coupled cantilever. With one and a half times the nose the interface
   // lies where the shank bends most.
@@ -445,7 +445,7 @@ TEST(CoupledBody, RingsAsTheProjectileOfElements)
   EXPECT_NEAR(relative_frequency(0, 0.75e-3, all), 1., 0.03);
 }
 
-TEST(CoupledBody, EightPointsAcrossBendFivePerCentTooSlowlyAndFifteenWithoutCorrection)
+TEST(CoupledProjectileBody, EightPointsAcrossBendFivePerCentTooSlowlyAndFifteenWithoutCorrection)
 {
   // Missed: 3 % is asked.
   EXPECT_NEAR(relative_frequency(2, 0.75e-3, all), 0.954, 0.002);
@@ -453,12 +453,12 @@ TEST(CoupledBody, EightPointsAcrossBendFivePerCentTooSlowlyAndFifteenWithoutCorr
   EXPECT_NEAR(relative_frequency(0, 0.75e-3, all, false), 0.911, 0.002);
 }
 
-TEST(CoupledBody, StepFromThePowerIterationIsStableAndALongerOneIsNot)
+TEST(CoupledProjectileBody, StepFromThePowerIterationIsStableAndALongerOneIsNot)
 {
   const HexSolid mesh = mesh_of(core, 1, false);
   for (const double share : {0.98, 1.05})
   {
-    CoupledBody body(core, mesh, parameters(mesh, 0.75e-3, 10.23e-3, false));
+    CoupledProjectileBody body(core, mesh, parameters(mesh, 0.75e-3, 10.23e-3, false));
     const double dt = share / 0.8 * step_of(body);
     Random random(17);
     for (const auto &point : body.mass_points())
@@ -478,14 +478,14 @@ TEST(CoupledBody, StepFromThePowerIterationIsStableAndALongerOneIsNot)
   }
 }
 
-TEST(CoupledBody, RefusesWhatDoesNotFit)
+TEST(CoupledProjectileBody, RefusesWhatDoesNotFit)
 {
   const HexSolid mesh = mesh_of(core, 2, true);
   const auto refused  = [&](const double spacing, const double points_length)
   {
     try
     {
-      CoupledBody(core, mesh, parameters(mesh, spacing, points_length, true));
+      CoupledProjectileBody(core, mesh, parameters(mesh, spacing, points_length, true));
     }
     catch (const InputError &error)
     {

@@ -49,9 +49,9 @@ Record run(const MPI_Comm communicator, const Scene &scene, const int n_steps)
   }
   record.broken   = simulation.broken_bonds();
   record.velocity = simulation.projectile().motion().velocity;
-  record.conversions.push_back(double(simulation.zone_watches()[0]->n_conversions()));
+  record.conversions.push_back(double(simulation.adaptive_zones()[0]->n_conversions()));
   record.conversions.push_back(double(simulation.zones()[0].zone->n_free_cells()));
-  record.redistributions = simulation.zone_watches()[0]->n_redistributions();
+  record.redistributions = simulation.adaptive_zones()[0]->n_redistributions();
   return record;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // V9: plane waves in lattice and elements against numbers of an independent prototype (speeds for
 // nu = 0.35).
-#include "support/body.h"
-#include "ricochet/dynamics/dispersion.h"
 #include "dynamics/finite_element_time_step.h"
+#include "ricochet/dynamics/dispersion.h"
 #include "ricochet/dynamics/stable_time_step.h"
+#include "support/body.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -150,11 +150,11 @@ TEST(Dispersion, BlockOfElementsHasTheFrequencyOfTheirOwnForceRoutine)
   for (const auto quadrature : {Quadrature::one_point, Quadrature::full})
     for (const double coefficient : {0.3, 1.})
     {
-      FiniteElementForce::Options options;
+      FiniteElementBody::Options options;
       options.quadrature            = quadrature;
       options.hourglass_coefficient = coefficient;
-      FiniteElementForce body(MPI_COMM_SELF, {Vector3::Zero(), 2. * dx, {3, 3, 3}, false, {}},
-                              material, options);
+      FiniteElementBody body(MPI_COMM_SELF, {Vector3::Zero(), 2. * dx, {3, 3, 3}, false, {}},
+                             material, options);
       const double measured =
           estimate_largest_frequency(MPI_COMM_SELF, body, 1000).squared_frequency;
       const double dense = ElementDispersion(2. * dx, material, quadrature, coefficient)

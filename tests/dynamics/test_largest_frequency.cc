@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/body.h"
 #include "ricochet/dynamics/stable_time_step.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(StableTimeStep, EstimateLeavesTheBodyAtRestInItsReferenceConfiguration)
 
 /// Leapfrog from noise of 1e-7 dx, small enough to be linear: total discrete energy at the end over
 /// that at the start.
-double energy_ratio(PeridynamicForce &body, const double dt, const int n_steps)
+double energy_ratio(PeridynamicBody &body, const double dt, const int n_steps)
 {
   auto &a = body.state().arrays;
   Random random(5);

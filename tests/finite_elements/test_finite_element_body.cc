@@ -19,15 +19,15 @@ enum class Kind
 };
 constexpr Kind kinds[] = {Kind::one_point, Kind::full, Kind::own_tensors};
 
-FiniteElementForce::Options options_for(const Kind kind)
+FiniteElementBody::Options options_for(const Kind kind)
 {
-  FiniteElementForce::Options options;
+  FiniteElementBody::Options options;
   options.quadrature = kind == Kind::full ? Quadrature::full : Quadrature::one_point;
   return options;
 }
 
 /// About every third element gets this tensor at all Gauss points; which ones is even in y.
-void give_tensor(FiniteElementForce &body, const Matrix6 &C)
+void give_tensor(FiniteElementBody &body, const Matrix6 &C)
 {
   std::vector<ElementStiffness> stiffness;
   const auto &elements = body.mesh().elements();
@@ -48,9 +48,9 @@ Matrix6 own_tensor()
   return isotropic_tensor(lambda(m), m.shear_modulus);
 }
 
-std::unique_ptr<FiniteElementForce> make_body(const Kind kind, const HexMesh::Box &box)
+std::unique_ptr<FiniteElementBody> make_body(const Kind kind, const HexMesh::Box &box)
 {
-  auto body = std::make_unique<FiniteElementForce>(MPI_COMM_SELF, box, pmma(), options_for(kind));
+  auto body = std::make_unique<FiniteElementBody>(MPI_COMM_SELF, box, pmma(), options_for(kind));
   if (kind == Kind::own_tensors)
     give_tensor(*body, own_tensor());
   return body;
@@ -247,7 +247,7 @@ TEST_P(FiniteElementBody, HalfABodyWithAMirrorPlaneMovesLikeTheWhole)
   EXPECT_NEAR(2. * e.strain, f.strain, 1e-11 * f.strain);
 }
 
-TEST(FiniteElementForce, LumpedMassIsPositiveAndAddsUpToTheBody)
+TEST(FiniteElementBody, LumpedMassIsPositiveAndAddsUpToTheBody)
 {
   const auto body    = make_body(Kind::one_point, refined_box());
   const double exact = pmma_density * 60e-9; // 5 x 4 x 3 mm^3
@@ -268,7 +268,7 @@ TEST(FiniteElementForce, LumpedMassIsPositiveAndAddsUpToTheBody)
     }
 }
 
-TEST(FiniteElementForce, OwnTensorsOfTheMaterialEqualFullQuadrature)
+TEST(FiniteElementBody, OwnTensorsOfTheMaterialEqualFullQuadrature)
 {
   const auto own  = make_body(Kind::full, refined_box()),
              full = make_body(Kind::full, refined_box());
@@ -288,7 +288,7 @@ TEST(FiniteElementForce, OwnTensorsOfTheMaterialEqualFullQuadrature)
   EXPECT_EQ(own->force(), full->force());
 }
 
-TEST(FiniteElementForce, OwnTensorsGiveTheStressOfTheirAverage)
+TEST(FiniteElementBody, OwnTensorsGiveTheStressOfTheirAverage)
 {
   const auto body = make_body(Kind::one_point, {Vector3::Zero(), 1e-3, {2, 1, 1}, false, {}});
   Random random(12);
@@ -315,13 +315,13 @@ TEST(FiniteElementForce, OwnTensorsGiveTheStressOfTheirAverage)
   EXPECT_EQ(body->hourglass_energy(1), 0.);
 }
 
-TEST(FiniteElementForce, InactiveElementsCarryNothing)
+TEST(FiniteElementBody, InactiveElementsCarryNothing)
 {
   // Without its left half a body is the right half.
-  FiniteElementForce::Options options;
+  FiniteElementBody::Options options;
   options.active = [](const Vector3 &X) { return X.x() > 2e-3; };
   const HexMesh::Box box{Vector3::Zero(), 1e-3, {4, 2, 2}, false, {}};
-  FiniteElementForce part(MPI_COMM_SELF, box, pmma(), options);
+  FiniteElementBody part(MPI_COMM_SELF, box, pmma(), options);
   const auto alone =
       make_body(Kind::one_point, {Vector3(2e-3, 0., 0.), 1e-3, {2, 2, 2}, false, {}});
   const auto map = [](const Vector3 &X) -> Vector3 { return X + 0.05e-3 * noise_at(X, 1e-3); };
@@ -357,7 +357,7 @@ TEST(FiniteElementForce, InactiveElementsCarryNothing)
     EXPECT_EQ(part.is_active(e), part.mesh().centre(part.mesh().elements()[e]).x() > 2e-3);
 }
 
-TEST(FiniteElementForce, FixedComponentsKeepTheirVelocity)
+TEST(FiniteElementBody, FixedComponentsKeepTheirVelocity)
 {
   const auto body = make_body(Kind::one_point, {Vector3::Zero(), 1e-3, {2, 1, 1}, false, {}});
   body->fix(0, 0);
@@ -380,11 +380,11 @@ TEST(FiniteElementForce, FixedComponentsKeepTheirVelocity)
   EXPECT_EQ(body->inverse_mass(0, 2), 0.);
 }
 
-TEST(FiniteElementForce, UnknownInstructionSetIsRefused)
+TEST(FiniteElementBody, UnknownInstructionSetIsRefused)
 {
-  FiniteElementForce::Options options;
+  FiniteElementBody::Options options;
   options.instruction_set = "abacus";
-  EXPECT_THROW(FiniteElementForce(MPI_COMM_SELF, refined_box(), pmma(), options), InputError);
+  EXPECT_THROW(FiniteElementBody(MPI_COMM_SELF, refined_box(), pmma(), options), InputError);
 }
 } // namespace
 } // namespace ricochet::tests

@@ -17,14 +17,14 @@ INSTANTIATE_TEST_SUITE_P(Both, FreeFlight, testing::Values(Quadrature::one_point
                          [](const auto &info)
                          { return info.param == Quadrature::one_point ? "OnePoint" : "Full"; });
 
-std::unique_ptr<FiniteElementForce> make_body(const Quadrature quadrature)
+std::unique_ptr<FiniteElementBody> make_body(const Quadrature quadrature)
 {
-  FiniteElementForce::Options options;
+  FiniteElementBody::Options options;
   options.quadrature = quadrature;
-  return std::make_unique<FiniteElementForce>(MPI_COMM_SELF, refined_box(), pmma(), options);
+  return std::make_unique<FiniteElementBody>(MPI_COMM_SELF, refined_box(), pmma(), options);
 }
 
-double total(const FiniteElementForce::Energies &e)
+double total(const FiniteElementBody::Energies &e)
 {
   return e.kinetic + e.strain + e.hourglass;
 }
@@ -46,7 +46,7 @@ TEST_P(FreeFlight, SpinningAndMovingBodyKeepsEnergyAndMomenta)
 
   const int n_steps = 100000;
   double e_start = 0., e_low = 0., e_high = 0., largest_hourglass = 0.;
-  FiniteElementForce::Momenta start{Vector3::Zero(), Vector3::Zero()};
+  FiniteElementBody::Momenta start{Vector3::Zero(), Vector3::Zero()};
   double turn = 0.;
   for (int step = 0; step <= n_steps; ++step)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/hexahedra.h"
 #include "ricochet/dynamics/elastic_body_time_step.h"
 #include "ricochet/geometry/revolved_hexes.h"
+#include "support/hexahedra.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@ namespace
 {
 const BodyOfRevolution core({NoseShape::ogive, 6.17e-3, 27.6e-3, 10.23e-3});
 
-TEST(ElasticBody, SpinningProjectileKeepsEnergyAndMomenta)
+TEST(HexahedralBody, SpinningProjectileKeepsEnergyAndMomenta)
 {
-  ElasticBody body(revolved_hexes(core, 1), steel(), false);
+  HexahedralBody body(revolved_hexes(core, 1), steel(), false);
   const double dt = 0.8 * 2. / std::sqrt(estimate_largest_frequency(body).squared_frequency);
   RigidBody::Motion start;
   start.position    = Vector3(0.1, -0.2, 0.05);
@@ -44,14 +44,14 @@ TEST(ElasticBody, SpinningProjectileKeepsEnergyAndMomenta)
   EXPECT_LT((last.angular - first.angular).norm(), 1e-10 * first.angular.norm());
 }
 
-TEST(ElasticBody, NearestRigidMotionIsTheOneItWasPutInto)
+TEST(HexahedralBody, NearestRigidMotionIsTheOneItWasPutInto)
 {
   for (const bool mirrored : {false, true})
   {
     HexSolid solid = revolved_hexes(core, 2);
     if (mirrored)
       solid = upper_half(solid, 1e-9);
-    ElasticBody body(solid, steel(), mirrored);
+    HexahedralBody body(solid, steel(), mirrored);
     RigidBody::Motion start;
     start.position    = Vector3(0.03, mirrored ? 0. : 0.01, 0.02);
     start.orientation = Eigen::AngleAxisd(0.5, Vector3::UnitY());
@@ -69,14 +69,14 @@ TEST(ElasticBody, NearestRigidMotionIsTheOneItWasPutInto)
   }
 }
 
-TEST(ElasticBody, FreeBarRingsAtTheFrequencyOfItsLength)
+TEST(HexahedralBody, FreeBarRingsAtTheFrequencyOfItsLength)
 {
   // A free steel bar of length L: the first longitudinal mode is cos(pi x/L), f = c_0/(2 L) with
   // c_0 = sqrt(E/rho) = 5073 m/s; Rayleigh's correction for the width, nu^2 pi^2 (a^2/6) / (2 L^2)
   // for a square a x a, is 4e-5 here.
   const double h = 1e-3;
   const int n    = 40;
-  ElasticBody body(block({n, 2, 2}, h, 0.15), steel(), false);
+  HexahedralBody body(block({n, 2, 2}, h, 0.15), steel(), false);
   const double dt     = 0.8 * 2. / std::sqrt(estimate_largest_frequency(body).squared_frequency);
   const double length = n * h;
   for (int node = 0; node < body.n_nodes(); ++node)
@@ -111,11 +111,11 @@ TEST(ElasticBody, FreeBarRingsAtTheFrequencyOfItsLength)
   EXPECT_NEAR(frequency, exact, 2e-3 * exact); // dispersion of 80 elements a wave: (pi/80)^2/6
 }
 
-TEST(ElasticBody, StepFromThePowerIterationIsStableAndALongerOneIsNot)
+TEST(HexahedralBody, StepFromThePowerIterationIsStableAndALongerOneIsNot)
 {
   for (const double share : {0.98, 1.05})
   {
-    ElasticBody body(revolved_hexes(core, 2), steel(), false);
+    HexahedralBody body(revolved_hexes(core, 2), steel(), false);
     const double dt = share * 2. / std::sqrt(estimate_largest_frequency(body).squared_frequency);
     Random random(17);
     for (double &v : body.velocity())

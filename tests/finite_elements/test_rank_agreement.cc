@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(RankAgreement, AMovingRefinedBodyWithAMirrorPlane)
 {
-  FiniteElementForce::Options options;
+  FiniteElementBody::Options options;
   options.quadrature = GetParam().quadrature;
   options.active     = [](const Vector3 &X) // a corner is missing
   { return X.x() < 2e-3 || X.y() < 2e-3 || X.z() < 3e-3; };
@@ -42,8 +42,8 @@ TEST_P(RankAgreement, AMovingRefinedBodyWithAMirrorPlane)
   auto material = pmma();
   if (GetParam().relaxing)
     material.relaxation = {{0.3, 3e-6}, {0.3, 0.5e-6}};
-  FiniteElementForce together(MPI_COMM_WORLD, box, material, options);
-  FiniteElementForce alone(MPI_COMM_SELF, box, material, options);
+  FiniteElementBody together(MPI_COMM_WORLD, box, material, options);
+  FiniteElementBody alone(MPI_COMM_SELF, box, material, options);
   const double h = 0.25e-3; // the smallest edge
 
   const auto frequency = estimate_largest_frequency(MPI_COMM_WORLD, together);

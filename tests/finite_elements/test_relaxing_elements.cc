@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/element_body.h"
-#include "ricochet/base/exceptions.h"
 #include "dynamics/finite_element_time_step.h"
+#include "ricochet/base/exceptions.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
+#include "support/element_body.h"
 
 #include <gtest/gtest.h>
 
@@ -237,12 +237,12 @@ ElementStiffness own_stiffness(const int element)
   return own;
 }
 
-std::unique_ptr<FiniteElementForce> make_body(const Form form, const HexMesh::Box &box,
-                                              const RelaxationSeries &series, const double dt)
+std::unique_ptr<FiniteElementBody> make_body(const Form form, const HexMesh::Box &box,
+                                             const RelaxationSeries &series, const double dt)
 {
-  FiniteElementForce::Options options;
+  FiniteElementBody::Options options;
   options.quadrature = form == Form::one_point ? Quadrature::one_point : Quadrature::full;
-  auto body          = std::make_unique<FiniteElementForce>(
+  auto body          = std::make_unique<FiniteElementBody>(
       MPI_COMM_SELF, box, FiniteElementMaterial{1190., K, mu, series}, options);
   if (form == Form::own_tensors)
   {
@@ -441,8 +441,8 @@ TEST(RelaxingElements, BondsTakeOverWhereElementsStop)
   const PeridynamicMaterial material{
       &bond_law("linear peridynamic solid"), 1190., K, mu, 1., series,
       HistoryPrecision::double_precision};
-  PeridynamicForce bonds(MPI_COMM_SELF, 0, {Vector3::Zero(), 1e-3, {10, 17, 17}, false},
-                         make_stencil(1e-3, 3., InfluenceFunction::cone), material);
+  PeridynamicBody bonds(MPI_COMM_SELF, 0, {Vector3::Zero(), 1e-3, {10, 17, 17}, false},
+                        make_stencil(1e-3, 3., InfluenceFunction::cone), material);
   bonds.start_relaxation(dt);
   const auto move = [&](const double share)
   {

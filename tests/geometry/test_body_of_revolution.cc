@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/random.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/geometry/body_of_revolution.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 

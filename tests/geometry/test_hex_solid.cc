@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/hexahedra.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/geometry/faceted_surface.h"
 #include "ricochet/geometry/revolved_hexes.h"
+#include "support/hexahedra.h"
 
 #include <gtest/gtest.h>
 
@@ -115,7 +115,7 @@ TEST(HexSolid, ScaledJacobianFindsFoldedCells)
   EXPECT_LT(scaled_jacobian(cube, 0), 0.);
   std::swap(cube.nodes[0], cube.nodes[1]);
   EXPECT_LT(scaled_jacobian(cube, 0), 0.);
-  EXPECT_THROW(ElasticBody(cube, steel(), false), InputError);
+  EXPECT_THROW(HexahedralBody(cube, steel(), false), InputError);
 }
 
 TEST(FacetedSurface, DistancesAreThoseOfTheShapeUpToTheFacets)

@@ -33,7 +33,7 @@ protected:
     { return X + 0.1e-3 * random.vector(); };
   }
 
-  static std::vector<Vector3> forces(const PeridynamicForce &body)
+  static std::vector<Vector3> forces(const PeridynamicBody &body)
   {
     std::vector<Vector3> all;
     for_each_point(body, [&](const std::ptrdiff_t p) { all.push_back(force(body, p)); });
@@ -41,7 +41,7 @@ protected:
   }
 
   /// Force scale of the body when it is strained by about 0.1 [N].
-  static double force_scale(PeridynamicForce &body)
+  static double force_scale(PeridynamicBody &body)
   {
     deform(body, shaken(7));
     return largest_force(body);

@@ -16,13 +16,13 @@ protected:
       GTEST_SKIP() << "this processor has no " << GetParam();
     options_.instruction_set = GetParam();
   }
-  ElasticBody::Options options_;
+  HexahedralBody::Options options_;
 };
 
 INSTANTIATE_TEST_SUITE_P(Sets, GeneralHexKernelOn, testing::Values("baseline", "avx2", "avx512"),
                          [](const auto &info) { return std::string(info.param); });
 
-double largest(const ElasticBody &body)
+double largest(const HexahedralBody &body)
 {
   double force = 0.;
   for (int node = 0; node < body.n_nodes(); ++node)
@@ -38,7 +38,7 @@ TEST_P(GeneralHexKernelOn, LinearMotionOfDistortedElementsHasExactEnergyAndNoHou
 {
   // The patch test: with 19 x ... cells the last block is not full.
   const auto solid = distorted_block({3, 3, 3}, 1e-3, 0.2);
-  ElasticBody body(solid, steel(), false, options_);
+  HexahedralBody body(solid, steel(), false, options_);
   deform(body, [&](const Vector3 &X) -> Vector3 { return stretched * X + Vector3(0.1, 0.2, 0.3); });
   const double mu = steel().shear_modulus, lambda = steel().bulk_modulus - mu / 1.5;
   const Eigen::Matrix3d E = 0.5 * (stretched.transpose() * stretched - Eigen::Matrix3d::Identity());
@@ -50,7 +50,7 @@ TEST_P(GeneralHexKernelOn, LinearMotionOfDistortedElementsHasExactEnergyAndNoHou
 
 TEST_P(GeneralHexKernelOn, LinearMotionLeavesInnerNodesWithoutForce)
 {
-  ElasticBody body(distorted_block({4, 3, 3}, 1e-3, 0.2), steel(), false, options_);
+  HexahedralBody body(distorted_block({4, 3, 3}, 1e-3, 0.2), steel(), false, options_);
   deform(body, [&](const Vector3 &X) -> Vector3 { return stretched * X; });
   const double typical = largest(body);
   int n_inner          = 0;
@@ -69,7 +69,7 @@ TEST_P(GeneralHexKernelOn, LinearMotionLeavesInnerNodesWithoutForce)
 
 TEST_P(GeneralHexKernelOn, RotatedBodyHasNoForce)
 {
-  ElasticBody body(distorted_block({3, 2, 3}, 1e-3, 0.2), steel(), false, options_);
+  HexahedralBody body(distorted_block({3, 2, 3}, 1e-3, 0.2), steel(), false, options_);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(2.1, Vector3(1., 2., -1.).normalized()));
   deform(body, [&](const Vector3 &X) -> Vector3 { return turn * X; });
   // Rounding of F, 1e-16, times E times the area of a face.
@@ -78,7 +78,7 @@ TEST_P(GeneralHexKernelOn, RotatedBodyHasNoForce)
 
 TEST_P(GeneralHexKernelOn, ForceIsMinusTheGradientOfTheEnergyAndHasNoNetMoment)
 {
-  ElasticBody body(distorted_block({2, 3, 2}, 1e-3, 0.2), steel(), false, options_);
+  HexahedralBody body(distorted_block({2, 3, 2}, 1e-3, 0.2), steel(), false, options_);
   Random random(3);
   for (double &x : body.position())
     x += 0.02e-3 * random.uniform();
@@ -115,9 +115,9 @@ TEST_P(GeneralHexKernelOn, ForceIsMinusTheGradientOfTheEnergyAndHasNoNetMoment)
 
 TEST_P(GeneralHexKernelOn, IsTheOnePointElementOnCubes)
 {
-  // E h/48 and E h/144 are the hourglass coefficients of forces/finite_element_force.h.
+  // E h/48 and E h/144 are the hourglass coefficients of finite_elements/finite_element_body.h.
   const double h = 1e-3, E = 202e9;
-  ElasticBody body(block({1, 1, 1}, h), steel(), false, options_);
+  HexahedralBody body(block({1, 1, 1}, h), steel(), false, options_);
   Random random(5);
   for (double &x : body.position())
     x += 0.05 * h * random.uniform();
@@ -158,7 +158,7 @@ TEST_P(GeneralHexKernelOn, BendsLikeTheFullyIntegratedElementWithoutItsLocking)
     if (sheared)
       for (auto &x : solid.nodes)
         x = shear * x;
-    ElasticBody body(solid, elastic(E, nu, 7850.), false, options_);
+    HexahedralBody body(solid, elastic(E, nu, 7850.), false, options_);
     const auto bend = [&](const Vector3 &X) -> Vector3
     { return X + kappa * Vector3(X.x() * X.z(), 0., -0.5 * X.x() * X.x()); };
     deform(body, bend);
@@ -192,7 +192,7 @@ TEST_P(GeneralHexKernelOn, ApproachesTheFullyIntegratedElementsOfASmoothMotion)
     const int n      = level == 0 ? 4 : 8;
     const double h   = 8e-3 / n;
     const auto solid = block({n, n, n}, h, 0.15);
-    ElasticBody body(solid, steel(), false, options_);
+    HexahedralBody body(solid, steel(), false, options_);
     const auto wave = [](const Vector3 &X) -> Vector3
     {
       return X + 1e-6 * Vector3(std::sin(300. * X.y()), std::cos(250. * X.z()),

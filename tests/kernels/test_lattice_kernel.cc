@@ -211,8 +211,7 @@ TEST(LatticeKernelTable, LogHasRoomForAllBondsThatBreakInOneStep)
     sample.critical_stretch = 0.01;
     sample.instruction_set  = set_name;
     const auto body         = make_body(sample);
-    for_each_point(*body,
-                   [&](const std::ptrdiff_t p)
+    for_each_point(*body, [&](const std::ptrdiff_t p)
                    { set(body->state().arrays.position, p, 2. * reference(*body, p)); });
     body->update_ghosts();
     body->evaluate(/*breaking=*/true, /*energy=*/false);

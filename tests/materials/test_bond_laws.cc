@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Each law against its own equation, written out once more from the paper.
+#include "ricochet/base/exceptions.h"
 #include "support/laws.h"
 #include "support/random.h"
-#include "ricochet/base/exceptions.h"
 
 #include <gtest/gtest.h>
 

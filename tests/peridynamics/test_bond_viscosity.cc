@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/body.h"
-#include "support/relaxing_families.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/peridynamics/fracture_energy.h"
+#include "support/body.h"
+#include "support/relaxing_families.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,9 @@ namespace
 constexpr double K = 5.9e9, mu = 2.258e9;
 const RelaxationSeries pmma{{0.146, 15.3}, {0.541, 95.4e-6}};
 
-std::unique_ptr<PeridynamicForce> relaxing_body(const BodySample &sample,
-                                                const RelaxationSeries &series,
-                                                const HistoryPrecision precision, const double dt)
+std::unique_ptr<PeridynamicBody> relaxing_body(const BodySample &sample,
+                                               const RelaxationSeries &series,
+                                               const HistoryPrecision precision, const double dt)
 {
   const PeridynamicMaterial material{&bond_law("linear peridynamic solid"),
                                      1190.,
@@ -27,7 +27,7 @@ std::unique_ptr<PeridynamicForce> relaxing_body(const BodySample &sample,
                                      sample.critical_stretch,
                                      series,
                                      precision};
-  auto body = std::make_unique<PeridynamicForce>(
+  auto body = std::make_unique<PeridynamicBody>(
       MPI_COMM_SELF, 0, Lattice::Box{sample.corner, sample.spacing, sample.n, sample.mirror_y},
       make_stencil(sample.spacing, sample.family.horizon_ratio, sample.family.influence_function),
       material, sample.mask, sample.instruction_set);
@@ -37,7 +37,7 @@ std::unique_ptr<PeridynamicForce> relaxing_body(const BodySample &sample,
 
 /// One step to the given positions, with the velocities that lead there.
 template <class Map>
-void step_to(PeridynamicForce &body, const double dt, Map &&map, const bool breaking = false)
+void step_to(PeridynamicBody &body, const double dt, Map &&map, const bool breaking = false)
 {
   auto &a = body.state().arrays;
   for_each_point(body,
@@ -209,7 +209,7 @@ public:
            fracture->total(MPI_COMM_SELF).energy;
   }
 
-  std::unique_ptr<PeridynamicForce> body;
+  std::unique_ptr<PeridynamicBody> body;
   std::unique_ptr<FractureEnergy> fracture;
   double work = 0.; // done on the row by whoever moves it, as the leapfrog scheme sees it [J]
 
@@ -217,7 +217,7 @@ private:
   double dt_;
 };
 
-TEST(BondHistory, StoredDissipatedAndReleasedEnergyAddUpToTheWork)
+TEST(BondViscosity, StoredDissipatedAndReleasedEnergyAddUpToTheWork)
 {
   for (const auto precision :
        {HistoryPrecision::double_precision, HistoryPrecision::single_precision})
@@ -240,7 +240,7 @@ TEST(BondHistory, StoredDissipatedAndReleasedEnergyAddUpToTheWork)
   }
 }
 
-TEST(BondHistory, BlockHoldsItsWorkToTheOrderOfTheStep)
+TEST(BondViscosity, BlockHoldsItsWorkToTheOrderOfTheStep)
 {
   // In three dimensions bonds turn; what is missing falls with the third power of the increments
   // and their number grows: second order in the step.
@@ -285,7 +285,7 @@ TEST(BondHistory, BlockHoldsItsWorkToTheOrderOfTheStep)
   EXPECT_NEAR(missing[0] / missing[1], 4., 0.4);
 }
 
-TEST(BondHistory, MeasuringNowAndThenInterpolates)
+TEST(BondViscosity, MeasuringNowAndThenInterpolates)
 {
   // A smooth motion: 40 steps per period.
   BodySample sample;
@@ -335,7 +335,7 @@ double held_at_constant_rate(const MaxwellBranch &branch, const double rate, con
   return -rate * branch.time * std::expm1(-t / branch.time);
 }
 
-TEST(BondHistory, BondAtAnyRateFollowsThePronySeries)
+TEST(BondViscosity, BondAtAnyRateFollowsThePronySeries)
 {
   // To 2 % strain at 1e-3 to 1e4 per second; a step is at most the short relaxation time.
   for (const auto precision :
@@ -376,7 +376,7 @@ TEST(BondHistory, BondAtAnyRateFollowsThePronySeries)
     }
 }
 
-TEST(BondHistory, StretchedBondRelaxesLikeThePronySeries)
+TEST(BondViscosity, StretchedBondRelaxesLikeThePronySeries)
 {
   const double dt = 0.3e-6, L = 1e-3, stretch = 0.01;
   BodySample sample;
@@ -405,7 +405,7 @@ TEST(BondHistory, StretchedBondRelaxesLikeThePronySeries)
   }
 }
 
-TEST(BondHistory, ClosedLoopDissipatesTheAnalyticWork)
+TEST(BondViscosity, ClosedLoopDissipatesTheAnalyticWork)
 {
   // A bond that swings for many relaxation times: per period pi k e0^2 x/(1 + x^2), x = omega
   // theta, for each branch.
@@ -443,7 +443,7 @@ TEST(BondHistory, ClosedLoopDissipatesTheAnalyticWork)
   EXPECT_NEAR((after - before) / expected, 1., 1e-4); // (2 pi/400)^2/12 of a second-order sum
 }
 
-TEST(BondHistory, UniformBackStrainContinuesAsIfItHadBeenThere)
+TEST(BondViscosity, UniformBackStrainContinuesAsIfItHadBeenThere)
 {
   // One body is strained and waits; the other takes over from the strain and its history.
   const double dt = 0.3e-6;
@@ -506,7 +506,7 @@ TEST(BondHistory, UniformBackStrainContinuesAsIfItHadBeenThere)
   }
 }
 
-TEST(BondHistory, WithoutABranchNothingChanges)
+TEST(BondViscosity, WithoutABranchNothingChanges)
 {
   BodySample sample;
   sample.n           = {5, 5, 5};
@@ -515,15 +515,15 @@ TEST(BondHistory, WithoutABranchNothingChanges)
   EXPECT_EQ(elastic->history(), nullptr);
 }
 
-TEST(BondHistory, LawsWithoutShearModulusAndShortBranchesAreRefused)
+TEST(BondViscosity, LawsWithoutShearModulusAndShortBranchesAreRefused)
 {
   const auto start = [](const char *law, const double shear_modulus, const double time,
                         const double dt) -> std::string
   {
     const PeridynamicMaterial material{&bond_law(law), 1190.,       K,
                                        shear_modulus,  unbreakable, {{0.5, time}}};
-    PeridynamicForce body(MPI_COMM_SELF, 0, {Vector3::Zero(), 1e-3, {4, 4, 4}, false},
-                          make_stencil(1e-3, 3., InfluenceFunction::cone), material);
+    PeridynamicBody body(MPI_COMM_SELF, 0, {Vector3::Zero(), 1e-3, {4, 4, 4}, false},
+                         make_stencil(1e-3, 3., InfluenceFunction::cone), material);
     try
     {
       body.start_relaxation(dt);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/body.h"
 #include "ricochet/base/exceptions.h"
-#include "ricochet/simulation/simulation.h"
 #include "ricochet/peridynamics/fracture_energy.h"
+#include "ricochet/simulation/simulation.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "support/body.h"
 #include "ricochet/base/exceptions.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -150,7 +150,7 @@ TEST(Lattice, MirroredHalfHasHalfTheBonds)
   EXPECT_EQ(make_body(half)->count_bonds(), 0.5 * make_body(full)->count_bonds());
 }
 
-TEST(PeridynamicForce, LawThatFixesPoissonsRatioRefusesOtherModuli)
+TEST(PeridynamicBody, LawThatFixesPoissonsRatioRefusesOtherModuli)
 {
   BodySample sample;
   sample.family.law = bond_law_samples[1];
@@ -158,7 +158,7 @@ TEST(PeridynamicForce, LawThatFixesPoissonsRatioRefusesOtherModuli)
   EXPECT_THROW(make_body(sample), InputError);
 }
 
-TEST(PeridynamicForce, MissingInstructionSetIsRefused)
+TEST(PeridynamicBody, MissingInstructionSetIsRefused)
 {
   BodySample sample;
   sample.instruction_set = "abacus";

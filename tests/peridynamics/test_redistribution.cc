@@ -35,7 +35,7 @@ Result burst(const MPI_Comm communicator, const bool mirrored, const RelaxationS
 {
   constexpr double dt = 2e-8;
   const Lattice::Box box{Vector3::Zero(), 1e-3, {n_planes, 6, 5}, mirrored};
-  PeridynamicForce body(
+  PeridynamicBody body(
       communicator, 0, box, make_stencil(box.spacing, 3., InfluenceFunction::cone),
       {&bond_law("linear peridynamic solid"), 1190., 5.9e9, 2.258e9, critical, series});
   body.start_relaxation(dt);
@@ -106,8 +106,8 @@ TEST(Redistribution, BodyBreaksMeanwhile)
 {
   const Lattice::Box box{Vector3::Zero(), 1e-3, {n_planes, 6, 5}, true};
   const auto stencil = make_stencil(box.spacing, 3., InfluenceFunction::cone);
-  PeridynamicForce sound(MPI_COMM_SELF, 0, box, stencil,
-                         {&bond_law("linear peridynamic solid"), 1190., 5.9e9, 2.258e9, critical});
+  PeridynamicBody sound(MPI_COMM_SELF, 0, box, stencil,
+                        {&bond_law("linear peridynamic solid"), 1190., 5.9e9, 2.258e9, critical});
   const double n = sound.count_bonds(), left = burst(MPI_COMM_SELF, true, {}, false).n_bonds;
   EXPECT_LT(left, 0.9 * n) << "too little breaks for the tests above to mean much";
   EXPECT_GT(left, 0.1 * n);

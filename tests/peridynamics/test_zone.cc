@@ -218,11 +218,12 @@ TEST(Zone, RimAreFreeCellsNearOthers)
 {
   Zone zone({20, 9, 3}, 2);
   zone.grow({{{0, 0, 0}, {12, 9, 3}}});
-  const auto rim = zone.rim(3);
-  zone.for_each_cell([&](const Zone::Cell &cell)
-                     { EXPECT_EQ(rim[zone.number(cell)] != 0, cell[0] >= 9 && cell[0] < 12); });
-  zone.grow({{{0, 0, 0}, {20, 9, 3}}}); // everything: no interface, no rim
-  for (const char near : zone.rim(3))
+  const auto interface_band = zone.interface_band(3);
+  zone.for_each_cell(
+      [&](const Zone::Cell &cell)
+      { EXPECT_EQ(interface_band[zone.number(cell)] != 0, cell[0] >= 9 && cell[0] < 12); });
+  zone.grow({{{0, 0, 0}, {20, 9, 3}}}); // everything: no interface, no interface_band
+  for (const char near : zone.interface_band(3))
     EXPECT_EQ(near, 0);
 }
 

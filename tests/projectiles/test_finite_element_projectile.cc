@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Whole impacts with a deformable projectile: of finite elements, of peridynamic points, of both.
-#include "ricochet/base/exceptions.h"
 #include "projectiles/finite_element_projectile.h"
+#include "ricochet/base/exceptions.h"
 #include "ricochet/geometry/revolved_hexes.h"
 #include "support/small_scene.h"
 
@@ -139,7 +139,7 @@ TEST_P(DeformableMotion, IsThatOfTheRigidProjectile)
               0.05 * (rigid.projectile().pitch() + M_PI / 6.));
 }
 
-TEST(ElasticProjectile, SurfaceIsClosedAndItsOutlineGoesAroundTheBody)
+TEST(FiniteElementProjectile, SurfaceIsClosedAndItsOutlineGoesAroundTheBody)
 {
   for (const bool half : {false, true})
   {
@@ -172,7 +172,7 @@ TEST(ElasticProjectile, SurfaceIsClosedAndItsOutlineGoesAroundTheBody)
   }
 }
 
-TEST(ElasticProjectile, MeshThatDoesNotFitTheShapeIsRefused)
+TEST(FiniteElementProjectile, MeshThatDoesNotFitTheShapeIsRefused)
 {
   Scene scene           = deformable(symmetric(small_scene()));
   scene.projectile.mesh = revolved_hexes(BodyOfRevolution(scene.projectile.shape), 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "scene/entry_patterns.h"
 #include "ricochet/scene/quantity.h"
+#include "scene/entry_patterns.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Searches over the points of all ranks.
-#include "support/random.h"
 #include "ricochet/search/hybrid_search.h"
 #include "ricochet/search/near_points.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Every method, and every instruction set of the two with their own loops, against the double loop.
-#include "support/random.h"
 #include "ricochet/base/exceptions.h"
-#include "search/cell_grid.h"
 #include "ricochet/search/pair_search.h"
+#include "search/cell_grid.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 

@@ -269,8 +269,8 @@ TEST(PlateZone, ZoneOfTheWholePlateIsPeridynamics)
   sample.zone         = {{0, 0, 0}, {6, 5, 4}};
   CoupledPlate plate(sample);
   EXPECT_EQ(plate.far->elements().total_mass(), 0.);
-  PeridynamicForce alone(MPI_COMM_SELF, 0, plate.points->lattice().box(),
-                         plate.points->lattice().stencil(), plate.points->material());
+  PeridynamicBody alone(MPI_COMM_SELF, 0, plate.points->lattice().box(),
+                        plate.points->lattice().stencil(), plate.points->material());
   const auto map = [](const Vector3 &X) -> Vector3
   {
     const Vector3 c = 1e3 * X;

@@ -2,9 +2,9 @@
 // Small peridynamic bodies, and how to move them.
 #pragma once
 
+#include "ricochet/peridynamics/peridynamic_body.h"
 #include "support/laws.h"
 #include "support/random.h"
-#include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <Eigen/Geometry>
 
@@ -30,20 +30,20 @@ struct BodySample
   MPI_Comm communicator       = MPI_COMM_SELF;
 };
 
-inline std::unique_ptr<PeridynamicForce> make_body(const BodySample &sample)
+inline std::unique_ptr<PeridynamicBody> make_body(const BodySample &sample)
 {
   const auto &law = sample.family.law;
   const PeridynamicMaterial material{&bond_law(law.law), law.density, law.bulk_modulus,
                                      law.shear_modulus, sample.critical_stretch};
   const Lattice::Box box{sample.corner, sample.spacing, sample.n, sample.mirror_y};
-  return std::make_unique<PeridynamicForce>(
+  return std::make_unique<PeridynamicBody>(
       sample.communicator, sample.number, box,
       make_stencil(sample.spacing, sample.family.horizon_ratio, sample.family.influence_function),
       material, sample.mask, sample.instruction_set);
 }
 
 template <class Visitor>
-void for_each_point(const PeridynamicForce &body, Visitor &&visit)
+void for_each_point(const PeridynamicBody &body, Visitor &&visit)
 {
   const Lattice &l = body.lattice();
   for (std::ptrdiff_t p = l.owned_begin(); p < l.owned_end(); ++p)
@@ -62,24 +62,24 @@ inline void set(double *const field[3], const std::ptrdiff_t p, const Vector3 &v
     field[d][p] = value[d];
 }
 
-inline Vector3 reference(const PeridynamicForce &body, const std::ptrdiff_t p)
+inline Vector3 reference(const PeridynamicBody &body, const std::ptrdiff_t p)
 {
   return body.lattice().reference_position(body.lattice().coordinates(p));
 }
 
-inline Vector3 position(const PeridynamicForce &body, const std::ptrdiff_t p)
+inline Vector3 position(const PeridynamicBody &body, const std::ptrdiff_t p)
 {
   return at(body.state().arrays.position, p);
 }
 
-inline Vector3 force(const PeridynamicForce &body, const std::ptrdiff_t p)
+inline Vector3 force(const PeridynamicBody &body, const std::ptrdiff_t p)
 {
   return at(body.state().arrays.force, p);
 }
 
 /// Moves every point to map(reference position) and evaluates forces and energies.
 template <class Map>
-void deform(PeridynamicForce &body, Map &&map, const bool breaking = false)
+void deform(PeridynamicBody &body, Map &&map, const bool breaking = false)
 {
   for_each_point(body, [&](const std::ptrdiff_t p)
                  { set(body.state().arrays.position, p, map(reference(body, p))); });
@@ -87,14 +87,14 @@ void deform(PeridynamicForce &body, Map &&map, const bool breaking = false)
   body.evaluate(breaking, /*energy=*/true);
 }
 
-inline double strain_energy(const PeridynamicForce &body)
+inline double strain_energy(const PeridynamicBody &body)
 {
   double sum = 0.;
   for_each_point(body, [&](const std::ptrdiff_t p) { sum += body.state().arrays.energy[p]; });
   return sum;
 }
 
-inline double largest_force(const PeridynamicForce &body)
+inline double largest_force(const PeridynamicBody &body)
 {
   double largest = 0.;
   for_each_point(body, [&](const std::ptrdiff_t p)
@@ -103,7 +103,7 @@ inline double largest_force(const PeridynamicForce &body)
 }
 
 /// Number of bonds of an owned point that are intact, by the bits of both ends.
-inline bool is_intact(const PeridynamicForce &body, const std::ptrdiff_t p, const std::size_t k)
+inline bool is_intact(const PeridynamicBody &body, const std::ptrdiff_t p, const std::size_t k)
 {
   const auto n = body.lattice().stencil().offsets.size();
   return (body.state().arrays.bonds[(p / Lattice::block_size) * n + k] >>

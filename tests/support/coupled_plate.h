@@ -20,7 +20,7 @@ struct CoupledSample
   std::optional<Zone::Cells> limit; // of a zone that grows
   int pad_layers = 0;               // 0: what the method asks for
   CouplingParameters coupling;
-  FarFieldOptions far;
+  CoupledPlateOptions far;
   double poisson_ratio        = 0.35;
   double spacing              = 1e-3; // [m]
   double critical_stretch     = std::numeric_limits<double>::infinity();
@@ -64,11 +64,11 @@ struct CoupledPlate
     Lattice::Box box{Vector3::Zero(), sample.spacing, {}, sample.mirror_y};
     for (int d = 0; d < 3; ++d)
       box.n[d] = zone->points_per_edge() * sample.n_cells[d];
-    points = std::make_unique<PeridynamicForce>(sample.communicator, 0, box, stencil, material,
-                                                Lattice::Mask{}, nullptr, zone.get());
-    auto options     = sample.far;
+    points       = std::make_unique<PeridynamicBody>(sample.communicator, 0, box, stencil, material,
+                                               Lattice::Mask{}, nullptr, zone.get());
+    auto options = sample.far;
     options.coupling = sample.coupling;
-    far              = std::make_unique<FarField>(sample.communicator, *points, *zone, options);
+    far              = std::make_unique<CoupledPlate>(sample.communicator, *points, *zone, options);
   }
 
   static constexpr double density = 1000., modulus = 1e9, p_wave_speed = 1000.; // [SI]
@@ -186,7 +186,7 @@ struct CoupledPlate
   double spacing; // dx [m]
   bool corrects_mass;
   std::unique_ptr<Zone> zone;
-  std::unique_ptr<PeridynamicForce> points;
-  std::unique_ptr<FarField> far;
+  std::unique_ptr<PeridynamicBody> points;
+  std::unique_ptr<CoupledPlate> far;
 };
 } // namespace ricochet::tests

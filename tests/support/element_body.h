@@ -93,7 +93,7 @@ inline void set(std::vector<double> &values, const int node, const Vector3 &valu
 /// Moves every owned node to map(reference position), hanging ones after their masters, and
 /// evaluates forces and energies.
 template <class Map>
-void deform(FiniteElementForce &body, Map &&map)
+void deform(FiniteElementBody &body, Map &&map)
 {
   for (int node = 0; node < body.mesh().n_owned_nodes(); ++node)
     set(body.position(), node, map(body.mesh().reference_position(node)));
@@ -101,7 +101,7 @@ void deform(FiniteElementForce &body, Map &&map)
   body.evaluate(/*energy=*/true);
 }
 
-inline double largest_force(const FiniteElementForce &body)
+inline double largest_force(const FiniteElementBody &body)
 {
   double largest = 0.;
   for (int node = 0; node < body.mesh().n_owned_nodes(); ++node)

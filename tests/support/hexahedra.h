@@ -2,8 +2,8 @@
 // Solids of distorted hexahedra for tests, and the textbook's fully integrated element.
 #pragma once
 
-#include "support/random.h"
 #include "ricochet/finite_elements/hexahedral_body.h"
+#include "support/random.h"
 
 #include <Eigen/Dense>
 
@@ -68,7 +68,7 @@ inline Vector3 node_of(const std::vector<double> &values, const int node)
 }
 
 template <class Map>
-void deform(ElasticBody &body, Map &&map)
+void deform(HexahedralBody &body, Map &&map)
 {
   for (int node = 0; node < body.n_nodes(); ++node)
   {

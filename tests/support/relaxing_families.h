@@ -4,8 +4,8 @@
 // lattice's history, which keeps one number per undirected bond.
 #pragma once
 
-#include "support/reference_family.h"
 #include "ricochet/materials/relaxation.h"
+#include "support/reference_family.h"
 
 namespace ricochet::tests
 {

@@ -105,7 +105,7 @@ private:
 
   int n_, component_;
   double speed_; // [m/s]
-  FiniteElementForce body_;
+  FiniteElementBody body_;
 };
 
 TEST(V25Dashpot, ReflectsWhatTheListSays)
@@ -138,7 +138,7 @@ TEST(V25Dashpot, ReflectsShearWavesByTheSameFormula)
 TEST(NonReflectingEdges, MomentumThatLeavesIsBooked)
 {
   // A block flies and turns; dashpots on two of its faces stop it.
-  FiniteElementForce block(MPI_COMM_SELF, {Vector3::Zero(), h, {6, 5, 4}, false, {}}, material());
+  FiniteElementBody block(MPI_COMM_SELF, {Vector3::Zero(), h, {6, 5, 4}, false, {}}, material());
   block.absorb_at({false, true, true, false, false, false});
   for (int node = 0; node < block.mesh().n_owned_nodes(); ++node)
   {

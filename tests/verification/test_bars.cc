@@ -2,12 +2,12 @@
 // Bars that collide end on (St Venant): the contact lasts until the wave comes back from the free
 // end, 2 L/c with the bar's c = sqrt(E/rho), under the stress rho c v (a wall) or rho c v/2 (an
 // equal bar), and the bars exchange their velocities.
-#include "support/body.h"
-#include "support/hexahedra.h"
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/contact/surface_contact.h"
 #include "ricochet/dynamics/elastic_body_time_step.h"
 #include "ricochet/dynamics/stable_time_step.h"
-#include "ricochet/contact/surface_contact.h"
+#include "support/body.h"
+#include "support/hexahedra.h"
 
 #include <gtest/gtest.h>
 
@@ -28,8 +28,9 @@ struct Impact
 
 /// A bar of finite elements flies at 10 m/s towards -x against a block of points; `moves` false:
 /// the points are held, a rigid wall.
-Impact collide(ElasticBody &bar, PeridynamicForce &target, const bool moves, const double stiffness,
-               const double c, const double length, const double plateau, const double safety)
+Impact collide(HexahedralBody &bar, PeridynamicBody &target, const bool moves,
+               const double stiffness, const double c, const double length, const double plateau,
+               const double safety)
 {
   const double v = 10., spacing = target.lattice().box().spacing;
   const auto law = make_friction_law({"constant", 0., 0., 0., 5.});
@@ -103,7 +104,7 @@ TEST(Bars, SteelBarOnARigidWall)
   const double h = 0.5e-3;
   const int n = 60, across = 4;
   const double length = n * h, area = std::pow(across * h, 2), c = std::sqrt(202e9 / 7850.);
-  ElasticBody bar(block({n, across, across}, h, 0.15, {0.01 * h, 0., 0.}), steel(), false);
+  HexahedralBody bar(block({n, across, across}, h, 0.15, {0.01 * h, 0., 0.}), steel(), false);
   BodySample wall; // one point before each element; its face is x = 0
   wall.n                    = {4, across, across};
   wall.spacing              = h;
@@ -131,8 +132,8 @@ TEST(Bars, FiniteElementBarOnAnEqualBarOfPoints)
   const double E      = 9. * solid.bulk_modulus * solid.shear_modulus /
                    (3. * solid.bulk_modulus + solid.shear_modulus);
   const double c = std::sqrt(E / solid.density);
-  ElasticBody bar(block({n / 2, across / 2, across / 2}, 2. * h, 0.1, {0.01 * h, 0., 0.}),
-                  {solid.density, solid.bulk_modulus, solid.shear_modulus}, false);
+  HexahedralBody bar(block({n / 2, across / 2, across / 2}, 2. * h, 0.1, {0.01 * h, 0., 0.}),
+                     {solid.density, solid.bulk_modulus, solid.shear_modulus}, false);
   BodySample sample;
   sample.family.law    = solid;
   sample.n             = {n, across, across};

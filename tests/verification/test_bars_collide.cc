@@ -26,15 +26,15 @@ struct HalfOfTheCrash
     constexpr int depth = 4;
     zone->grow({points_low ? Zone::Cells{{0, 0, 0}, {depth, section, section}}
                            : Zone::Cells{{n_cells - depth, 0, 0}, {n_cells, section, section}}});
-    points = std::make_unique<PeridynamicForce>(
+    points = std::make_unique<PeridynamicBody>(
         MPI_COMM_SELF, number,
         Lattice::Box{{x, 0., 0.}, dx, {2 * n_cells, 2 * section, 2 * section}, false}, stencil,
         PeridynamicMaterial{&bond_law("linear peridynamic solid"), density,
                             p_modulus - 4. / 3. * mu, mu, std::numeric_limits<double>::infinity()},
         Lattice::Mask{}, nullptr, zone.get());
-    FarFieldOptions options;
+    CoupledPlateOptions options;
     options.coupling.correct_mass = false; // velocities are set below
-    far = std::make_unique<FarField>(MPI_COMM_SELF, *points, *zone, options);
+    far = std::make_unique<CoupledPlate>(MPI_COMM_SELF, *points, *zone, options);
   }
 
   void start(const double v)
@@ -48,8 +48,8 @@ struct HalfOfTheCrash
   }
 
   std::unique_ptr<Zone> zone;
-  std::unique_ptr<PeridynamicForce> points;
-  std::unique_ptr<FarField> far;
+  std::unique_ptr<PeridynamicBody> points;
+  std::unique_ptr<CoupledPlate> far;
 };
 
 TEST(V8Bars, OfFourHundredSpacingsTouchForTwoPassagesAndExchangeTheirVelocities)
@@ -60,11 +60,11 @@ TEST(V8Bars, OfFourHundredSpacingsTouchForTwoPassagesAndExchangeTheirVelocities)
   const double E = p_modulus * (1. + nu) * (1. - 2. * nu) / (1. - nu), c = std::sqrt(E / density);
   HalfOfTheCrash left(0, -L - 0.21 * dx, n_cells, section, false),
       right(1, 0.21 * dx, n_cells, section, true);
-  PeridynamicForce &a = *left.points, &b = *right.points;
-  std::vector<std::unique_ptr<PeridynamicForce>> bodies;
+  PeridynamicBody &a = *left.points, &b = *right.points;
+  std::vector<std::unique_ptr<PeridynamicBody>> bodies;
   bodies.push_back(std::move(left.points));
   bodies.push_back(std::move(right.points));
-  DebrisContact contact(MPI_COMM_SELF, bodies, 15., false);
+  ShortRangeContact contact(MPI_COMM_SELF, bodies, 15., false);
   left.start(v);
   right.start(-v);
   const double dt   = 1.2 * dx / std::sqrt(p_modulus / density);

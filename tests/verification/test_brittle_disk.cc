@@ -2,10 +2,10 @@
 // The brittle disk of the peridynamics manual of LAMMPS (after Silling and Askari 2005): a sphere
 // of 10 mm falls with 100 m/s on a disk of 74 mm x 2.5 mm, 103,110 points. Until the first bond
 // breaks the disk must keep the symmetry of its lattice, then it breaks evenly.
-#include "support/body.h"
 #include "ricochet/contact/friction_laws.h"
-#include "ricochet/contact/short_range_contact.h"
 #include "ricochet/contact/rigid_contact.h"
+#include "ricochet/contact/short_range_contact.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ constexpr int n_through = 6;
 
 /// Largest difference of the motion of a point and of its images under a quarter turn and under the
 /// reflection that exchanges x and y [m/s].
-double asymmetry(const PeridynamicForce &disk)
+double asymmetry(const PeridynamicBody &disk)
 {
   const Lattice &l = disk.lattice();
   const auto &a    = disk.state().arrays;
@@ -56,15 +56,15 @@ TEST(BrittleDisk, KeepsItsSymmetryAndBreaksEvenly)
     const double X = (x - radius) * dx, Y = (y - radius) * dx;
     return std::sqrt(X * X + Y * Y) <= 0.037;
   };
-  std::vector<std::unique_ptr<PeridynamicForce>> bodies;
+  std::vector<std::unique_ptr<PeridynamicBody>> bodies;
   bodies.push_back(make_body(sample));
   auto &disk = *bodies[0];
   EXPECT_EQ(disk.lattice().n_owned_points(), 103110); // stated there
 
   const auto law = make_friction_law({"constant", 0., 0., 0., 1.});
-  ProjectileContact contact(MPI_COMM_SELF, *law, {youngs_modulus(disk.material()) * dx, 0., 1.},
-                            false, n_across);
-  DebrisContact debris(MPI_COMM_SELF, bodies, 15., false);
+  RigidContact contact(MPI_COMM_SELF, *law, {youngs_modulus(disk.material()) * dx, 0., 1.}, false,
+                       n_across);
+  ShortRangeContact debris(MPI_COMM_SELF, bodies, 15., false);
   constexpr double R = 5e-3, speed = 100., dt = 1e-7; // stated there
   RigidBody sphere(
       BodyOfRevolution({NoseShape::sphere, 2. * R, 0., 0.}), 4e-3,

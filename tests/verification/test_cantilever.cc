@@ -23,11 +23,11 @@ double beam_frequency() // [Hz]
 /// Bernoulli's first mode [Hz].
 double frequency(const int n, const Quadrature quadrature, const double hourglass_coefficient = 1.)
 {
-  FiniteElementForce::Options options;
+  FiniteElementBody::Options options;
   options.quadrature            = quadrature;
   options.hourglass_coefficient = hourglass_coefficient;
-  FiniteElementForce bar(MPI_COMM_SELF, {Vector3::Zero(), thickness / n, {10 * n, n, n}, false, {}},
-                         pmma(), options);
+  FiniteElementBody bar(MPI_COMM_SELF, {Vector3::Zero(), thickness / n, {10 * n, n, n}, false, {}},
+                        pmma(), options);
   const auto estimate = estimate_largest_frequency(MPI_COMM_SELF, bar);
   const double dt     = 0.9 * 2. / std::sqrt(estimate.squared_frequency);
   const auto &mesh    = bar.mesh();

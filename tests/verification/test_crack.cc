@@ -38,7 +38,7 @@ Crack crack(const bool coupled, const int n_steps)
   sample.limit            = {{0, 0, low}, {48, 3, high}};
   sample.critical_stretch = critical;
   CoupledPlate strip(sample);
-  ZoneWatch watch(MPI_COMM_SELF, *strip.far, {0.5 * critical, coupled});
+  AdaptiveZone watch(MPI_COMM_SELF, *strip.far, {0.5 * critical, coupled});
 
   // Bonds across the notch: a plane that rises towards the middle of the strip.
   const double notch = 22e-3, middle = 32e-3, slope = 0.3;
@@ -173,7 +173,7 @@ ImpactResult impact(const double horizons)
     mean.speed += simulation.projectile().motion().velocity.norm() / n_runs;
     if (horizons >= 0.)
     {
-      EXPECT_LT(simulation.zone_watches()[0]->reached(), 0.);
+      EXPECT_LT(simulation.adaptive_zones()[0]->reached(), 0.);
     }
   }
   mean.scatter = std::sqrt(std::max(0., squares - mean.damaged * mean.damaged) / (n_runs - 1));

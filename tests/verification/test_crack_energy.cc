@@ -3,8 +3,8 @@
 // which the critical stretch was derived. A long strip in plane strain is pulled by its edges; a
 // crack runs along its middle. G is what a column of the strip far ahead holds, less what one far
 // behind holds between its grips: it is known and the same wherever the tip is.
-#include "support/body.h"
 #include "ricochet/peridynamics/fracture_energy.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -105,7 +105,7 @@ public:
 private:
   double middle() const { return 0.5 * n_[2] * spacing; }
 
-  void cut_notch(PeridynamicForce &body) const
+  void cut_notch(PeridynamicBody &body) const
   {
     const auto &l       = body.lattice();
     const auto &offsets = l.stencil().offsets;
@@ -208,7 +208,7 @@ private:
 
   int height_, grip_;
   std::array<int, 3> n_;
-  std::array<std::unique_ptr<PeridynamicForce>, 2> bodies_;
+  std::array<std::unique_ptr<PeridynamicBody>, 2> bodies_;
   std::vector<FractureEnergy> fracture_;
   double energy_release_, dt_, shear_wave_speed_;
   double G_ = 0., time_ = 0.;

@@ -12,21 +12,21 @@ namespace
 {
 constexpr double edge = 1e-3; // h [m]
 
-std::unique_ptr<FiniteElementForce> cube(const int n, const Quadrature quadrature,
-                                         const FiniteElementMaterial &material,
-                                         const double hourglass_coefficient = 1.)
+std::unique_ptr<FiniteElementBody> cube(const int n, const Quadrature quadrature,
+                                        const FiniteElementMaterial &material,
+                                        const double hourglass_coefficient = 1.)
 {
-  FiniteElementForce::Options options;
+  FiniteElementBody::Options options;
   options.quadrature            = quadrature;
   options.hourglass_coefficient = hourglass_coefficient;
-  return std::make_unique<FiniteElementForce>(
+  return std::make_unique<FiniteElementBody>(
       MPI_COMM_SELF, HexMesh::Box{Vector3::Zero(), edge, {n, n, n}, false, {}}, material, options);
 }
 
 /// omega^2 of the three plane waves with wave vector k in an infinite mesh, ascending [1/s^2]. In a
 /// wave u = p cos(k . (X - X0)) the force at X0 is -m omega^2 p, and it depends on the eight cubes
 /// around X0 only.
-Vector3 squared_frequencies(const Vector3 &k, FiniteElementForce &eight_cubes)
+Vector3 squared_frequencies(const Vector3 &k, FiniteElementBody &eight_cubes)
 {
   const Vector3 X0       = Vector3::Constant(edge);
   const double amplitude = 1e-6 * edge; // linear to 1e-6, above rounding of x by 1e10
@@ -47,7 +47,7 @@ Vector3 squared_frequencies(const Vector3 &k, FiniteElementForce &eight_cubes)
 
 /// Error of the phase speed, in per cent, of the fastest wave with lambda = ratio delta, where
 /// delta = 3/2 h: the horizon of points with half the cubes' edge and m = 3.
-double p_wave_error(const Vector3 &direction, const double ratio, FiniteElementForce &eight_cubes)
+double p_wave_error(const Vector3 &direction, const double ratio, FiniteElementBody &eight_cubes)
 {
   const double k = 2. * M_PI / (ratio * 1.5 * edge);
   const double omega =
@@ -104,7 +104,7 @@ TEST(ElementWaves, OnePointIsLittleMoreDispersiveThanFullQuadrature)
       EXPECT_LT(one, 0.);
       EXPECT_GT(one, 1.2 * all);
       const double k         = 2. * M_PI / (ratio * 1.5 * edge);
-      const auto shear_error = [&](FiniteElementForce &body) {
+      const auto shear_error = [&](FiniteElementBody &body) {
         return std::sqrt(squared_frequencies(k * direction.normalized(), body)[0]) / k / c_S - 1.;
       };
       EXPECT_GT(shear_error(*one_point), 1.15 * shear_error(*full));

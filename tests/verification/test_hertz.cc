@@ -2,9 +2,9 @@
 // A rigid steel ball dropped on a block of PMMA, against Hertz: with d the greatest approach,
 //   d = (15 m v^2/(16 E* sqrt R))^(2/5),  F = 4/3 E* sqrt R d^(3/2),  t = 2.943 d/v
 // The ball touches the block on a circle of radius sqrt(R d) = 0.96 mm.
-#include "support/body.h"
 #include "ricochet/contact/friction_laws.h"
 #include "ricochet/contact/rigid_contact.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ TEST(Hertz, SteelBallOnPmmaHasTheForceDurationAndReturnOfTheory)
   const auto law         = make_friction_law({"constant", 0., 0., 0., 1.});
   // Stiff springs: with k = E dx they alone would give way by a twentieth of the approach.
   const double stiffness = 8. * E * dx;
-  ProjectileContact contact(MPI_COMM_SELF, *law, {stiffness, 0., 1.}, true, sample.n[0]);
+  RigidContact contact(MPI_COMM_SELF, *law, {stiffness, 0., 1.}, true, sample.n[0]);
   RigidBody ball(
       BodyOfRevolution({NoseShape::sphere, 2. * R, 0., 0.}), mass,
       {{0., 0., R + 0.01 * dx}, {0., 0., -v}, Eigen::Quaterniond::Identity(), Vector3::Zero()},

@@ -14,13 +14,13 @@ namespace
 {
 constexpr double K = 5.9e9, mu = 2.258e9, density = 1190.;
 
-std::unique_ptr<PeridynamicForce> bar(const std::array<int, 3> &n, const double spacing,
-                                      const RelaxationSeries &series, const double dt,
-                                      const HistoryPrecision precision)
+std::unique_ptr<PeridynamicBody> bar(const std::array<int, 3> &n, const double spacing,
+                                     const RelaxationSeries &series, const double dt,
+                                     const HistoryPrecision precision)
 {
   const PeridynamicMaterial material{
       &bond_law("linear peridynamic solid"), density, K, mu, unbreakable, series, precision};
-  auto body = std::make_unique<PeridynamicForce>(
+  auto body = std::make_unique<PeridynamicBody>(
       MPI_COMM_SELF, 0, Lattice::Box{Vector3::Zero(), spacing, n, false},
       make_stencil(spacing, 3., InfluenceFunction::cone), material);
   body->start_relaxation(dt);

@@ -3,9 +3,9 @@
 // v^2/(2 mu g). Two lattices of points are rough by themselves: rattling over each other they lose
 // as much as with a coefficient of 0.07 to 0.15 (measured with several speeds, loads and shifts
 // across); friction comes on top of that.
-#include "support/body.h"
 #include "ricochet/contact/constant_friction.h"
 #include "ricochet/contact/short_range_contact.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ double stopping_distance(const double mu)
   block.n      = {8, 8, 3};
   block.corner = {0., -4. * dx, 0.};
   block.number = 1;
-  std::vector<std::unique_ptr<PeridynamicForce>> bodies;
+  std::vector<std::unique_ptr<PeridynamicBody>> bodies;
   bodies.push_back(make_body(bed));
   bodies.push_back(make_body(block));
   auto &sliding = *bodies[1];
@@ -34,8 +34,8 @@ double stopping_distance(const double mu)
       sliding, [&](const std::ptrdiff_t p)
       { set(a.position, p, reference(sliding, p) + Vector3(20.5 * dx, 0.5 * dx, 0.2 * dx)); });
   const ConstantFriction law({"constant", mu, 0., 0., 1.});
-  DebrisContact contact(MPI_COMM_SELF, bodies, 15., false, "linked cells",
-                        {&law, 1., 0.02 * speed});
+  ShortRangeContact contact(MPI_COMM_SELF, bodies, 15., false, "linked cells",
+                            {&law, 1., 0.02 * speed});
 
   const int settled = 400, n_points = 8 * 8 * 3;
   double start = 0., x = 0.;

@@ -10,7 +10,7 @@ namespace
 {
 /// Phase speed of a plane wave along [100] with that polarisation [m/s], from the force on one
 /// point.
-double phase_speed(PeridynamicForce &body, const double wavelength, const int polarisation)
+double phase_speed(PeridynamicBody &body, const double wavelength, const int polarisation)
 {
   const auto &n          = body.lattice().box().n;
   const auto centre      = body.lattice().index(n[0] / 2, n[1] / 2, n[2] / 2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // V27: the weighted volume m of a family keeps its bulk value for ever. Summed over the surviving
 // bonds instead, it would stiffen what is left and take the time step with it.
-#include "support/body.h"
 #include "ricochet/dynamics/stable_time_step.h"
+#include "support/body.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ BodySample cube()
 class FamilyByFamily
 {
 public:
-  FamilyByFamily(const PeridynamicForce &body, const bool recompute)
+  FamilyByFamily(const PeridynamicBody &body, const bool recompute)
   {
     const auto &lattice  = body.lattice();
     const auto &stencil  = lattice.stencil();
@@ -119,7 +119,7 @@ private:
 };
 
 /// Breaks that share of all bonds.
-void break_bonds(PeridynamicForce &body, const double share)
+void break_bonds(PeridynamicBody &body, const double share)
 {
   Random random(3);
   const std::size_t n = body.lattice().stencil().offsets.size();

@@ -14,7 +14,7 @@ inline double contact_distance(const double reference_distance, const double spa
   return std::min(0.9 * reference_distance, 1.35 * spacing);
 }
 
-class FormerNeighbours
+class BrokenBondPairs
 {
 public:
   struct Pair
@@ -24,7 +24,7 @@ public:
   };
 
   /// The body must outlive this object.
-  explicit FormerNeighbours(const PeridynamicForce &body);
+  explicit BrokenBondPairs(const PeridynamicBody &body);
 
   /// Lists all that may touch before either has got further than its reach, anew. `reach`: per
   /// entry of the lattice's fields [m].
@@ -37,7 +37,7 @@ public:
   const PairList<Pair> &pairs() const { return list_; }
 
 private:
-  const PeridynamicForce &body_;
+  const PeridynamicBody &body_;
   std::vector<double> distance_;     // per offset [m]
   std::vector<std::size_t> offsets_; // in ascending order of their shift
   PairList<Pair> list_;

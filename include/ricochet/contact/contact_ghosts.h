@@ -8,7 +8,7 @@
 
 namespace ricochet
 {
-class WatchedPoints
+class ContactGhosts
 {
 public:
   /// Where a point's numbers come from.
@@ -26,7 +26,7 @@ public:
   };
 
   /// The bodies and their numbering must outlive this object.
-  WatchedPoints(MPI_Comm communicator, const Bodies &bodies, const ContactNumbering &numbering);
+  ContactGhosts(MPI_Comm communicator, const Bodies &bodies, const ContactNumbering &numbering);
 
   void clear();
   /// Number of a point, a new one if need be.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Lists the pairs of points that may touch though no bond connects them, for the pair law of
-// forces/debris_contact.h: two points of one body if their bond is broken, or if they never had one
-// and at least one of them is damaged; points of different bodies always.
+// contact/short_range_contact.h: two points of one body if their bond is broken, or if they never
+// had one and at least one of them is damaged; points of different bodies always.
 //
 // Every few steps all pairs that can touch before the next search are listed: each point may travel
-// its own reach (forces/point_journeys.h). The few points that leave their reach earlier, fragments
+// its own reach (contact/contact_skin.h). The few points that leave their reach earlier, fragments
 // that something has hit, are searched again one by one; only when they are many, all are. So no
 // contact is missed. Former neighbours need no search in space, their bonds tell who they are.
 // Pairs of two sound points are not listed far from damage; where a point there breaks a bond it is
@@ -13,16 +13,16 @@
 #pragma once
 
 #include "ricochet/contact/broken_bond_pairs.h"
-#include "ricochet/contact/contact_skin.h"
 #include "ricochet/contact/contact_ghosts.h"
+#include "ricochet/contact/contact_skin.h"
 
 namespace ricochet
 {
-class DebrisPairs
+class ContactPairs
 {
 public:
   /// Two points that have never been neighbours, by their numbers among the watched points.
-  struct ForeignPair
+  struct NonBondedPair
   {
     std::int32_t a, b;
     bool one_body;
@@ -31,8 +31,8 @@ public:
 
   /// The bodies must outlive this object. `mirrored`: y = 0 is a symmetry plane. `search`: one of
   /// contact_search_names(); throws InputError for another one.
-  DebrisPairs(MPI_Comm communicator, const Bodies &bodies, bool mirrored,
-              const std::string &search);
+  ContactPairs(MPI_Comm communicator, const Bodies &bodies, bool mirrored,
+               const std::string &search);
 
   /// Sees to it that all pairs which touch are listed, and brings the watched points up to date;
   /// ghosts must be. `dt`: the coming step [s], which tells how far points may get before the pairs
@@ -42,12 +42,12 @@ public:
   void bodies_changed() { bodies_changed_ = true; }
 
   // The lists: pairs that touch and others.
-  const PairList<FormerNeighbours::Pair> &former_neighbours(const std::size_t body) const
+  const PairList<BrokenBondPairs::Pair> &broken_bond_pairs(const std::size_t body) const
   {
     return former_neighbours_[body].pairs();
   }
-  const PairList<ForeignPair> &foreign_pairs() const { return foreign_pairs_; } // by ids
-  const WatchedPoints &watched() const { return watched_; }
+  const PairList<NonBondedPair> &non_bonded_pairs() const { return foreign_pairs_; } // by ids
+  const ContactGhosts &watched() const { return watched_; }
 
   long n_searches() const { return n_searches_; }
   long n_single_searches() const { return n_single_searches_; }
@@ -72,12 +72,12 @@ private:
   ContactNumbering numbering_;
   double spacing_, range_; // the largest dx and d of all bodies [m]
   std::unique_ptr<ContactSearch> search_;
-  PointJourneys journeys_;
+  ContactSkin journeys_;
 
   bool bodies_changed_ = false;
   long n_searches_ = 0, n_single_searches_ = 0;
-  std::vector<FormerNeighbours> former_neighbours_; // per body
-  PairList<ForeignPair> foreign_pairs_;
-  WatchedPoints watched_;
+  std::vector<BrokenBondPairs> former_neighbours_; // per body
+  PairList<NonBondedPair> foreign_pairs_;
+  ContactGhosts watched_;
 };
 } // namespace ricochet

@@ -12,7 +12,7 @@
 
 namespace ricochet
 {
-using Bodies = std::vector<std::unique_ptr<PeridynamicForce>>;
+using Bodies = std::vector<std::unique_ptr<PeridynamicBody>>;
 
 /// Numbers the points of all bodies and their mirror images, the same on all ranks, in the order
 /// body, x, z, y. The difference of two numbers tells whether they have been neighbours.
@@ -99,8 +99,8 @@ protected:
   Parameters parameters_;
 };
 
-/// Names of the methods: those of geometry/pair_search.h, used by each rank on its own points and
-/// what comes near them, and "hybrid", see discretization/hybrid_search.h. The fastest first.
+/// Names of the methods: those of search/pair_search.h, used by each rank on its own points and
+/// what comes near them, and "hybrid", see search/hybrid_search.h. The fastest first.
 std::vector<std::string> contact_search_names();
 
 /// The method of that name. Throws InputError for an unknown one.

@@ -8,14 +8,14 @@
 
 namespace ricochet
 {
-class PointJourneys
+class ContactSkin
 {
 public:
   /// The bodies and their numbering must outlive this object. `mirrored`: y = 0 is a symmetry
   /// plane. `spacing`: the largest of all bodies; `range`: the largest distance at which two points
   /// touch [m].
-  PointJourneys(MPI_Comm communicator, const Bodies &bodies, const ContactNumbering &numbering,
-                bool mirrored, double spacing, double range);
+  ContactSkin(MPI_Comm communicator, const Bodies &bodies, const ContactNumbering &numbering,
+              bool mirrored, double spacing, double range);
 
   /// All points start from where they are. `dt`: the coming step [s]. Collective.
   void begin(double dt);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Interface of a Coulomb friction law: the coefficient as a function of the sliding speed.
 // A new law is one header beside this one, one line in contact/friction_laws.h and one in
-// tests/laws.h.
+// tests/support/laws.h.
 #pragma once
 
 #include <string>

@@ -8,16 +8,16 @@
 // with equal and opposite forces and their moments on the rigid body.
 #pragma once
 
-#include "ricochet/contact/friction_law.h"
 #include "ricochet/bodies/rigid_body.h"
-#include "ricochet/peridynamics/plane_sums.h"
+#include "ricochet/contact/friction_law.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
+#include "ricochet/peridynamics/plane_sums.h"
 
 #include <memory>
 
 namespace ricochet
 {
-class ProjectileContact
+class RigidContact
 {
 public:
   struct Parameters
@@ -45,20 +45,20 @@ public:
   };
 
   /// `law` must outlive this object. `mirrored`: y = 0 is a symmetry plane.
-  ProjectileContact(MPI_Comm communicator, const FrictionLaw &law, const Parameters &parameters,
-                    bool mirrored, int n_planes);
+  RigidContact(MPI_Comm communicator, const FrictionLaw &law, const Parameters &parameters,
+               bool mirrored, int n_planes);
 
   /// Adds contact forces to the points and returns the reaction. Collective.
-  Reaction evaluate(const RigidBody &projectile, PeridynamicForce &plate);
+  Reaction evaluate(const RigidBody &projectile, PeridynamicBody &plate);
 
   /// Adds the friction work the points received in this step to the ledger: call after their kick,
   /// which is `dt` long.
-  void record_work(const PeridynamicForce &plate, double dt);
+  void record_work(const PeridynamicBody &plate, double dt);
   /// Work of friction and shank forces on the points so far, both halves [J]. Collective.
   double work_on_points() const;
 
 private:
-  struct Touch
+  struct ActiveContact
   {
     std::ptrdiff_t point;
     Vector3 friction; // with shank [N]
@@ -71,6 +71,6 @@ private:
   double multiplicity_; // 2 with a symmetry plane
   PlaneSums<17> sums_;
   PlaneSums<1> work_;
-  std::vector<Touch> touches_;
+  std::vector<ActiveContact> active_;
 };
 } // namespace ricochet

@@ -7,19 +7,19 @@
 //             along the pair
 // equal and opposite. Two points of one body touch if their bond is broken, or if they never had
 // one and at least one of them is damaged; points of different bodies always do
-// (forces/debris_pairs.h).
+// (contact/contact_pairs.h).
 //
 // Points do not rotate, so friction between two of them keeps linear momentum to rounding but not
 // angular momentum: what is missing is the couple of the two forces, whose arm is r.
 #pragma once
 
+#include "ricochet/contact/contact_pairs.h"
 #include "ricochet/contact/friction_law.h"
 #include "ricochet/peridynamics/plane_sums.h"
-#include "ricochet/contact/contact_pairs.h"
 
 namespace ricochet
 {
-class DebrisContact
+class ShortRangeContact
 {
 public:
   struct Friction
@@ -32,10 +32,10 @@ public:
 
   /// `factor` 0 switches the contact off. The bodies must outlive this object. `mirrored`: y = 0 is
   /// a symmetry plane. `search`: one of contact_search_names(); throws InputError for another one.
-  DebrisContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
-                const std::string &search = "linked cells");
-  DebrisContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
-                const std::string &search, const Friction &friction);
+  ShortRangeContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
+                    const std::string &search = "linked cells");
+  ShortRangeContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
+                    const std::string &search, const Friction &friction);
 
   /// Adds contact forces to the bodies' forces. `dt`: the coming step [s]; it tells how far points
   /// may get before the pairs are searched again, and how much friction it takes to stop them.
@@ -61,13 +61,13 @@ public:
   long n_single_searches() const { return pairs_.n_single_searches(); }
 
   /// Upper bound of the squared frequency which this contact adds to a point of the body [1/s^2].
-  double squared_frequency(const PeridynamicForce &body) const;
+  double squared_frequency(const PeridynamicBody &body) const;
 
 private:
-  using Follower = WatchedPoints::Follower; // flat < 0: not a point of this rank
+  using Follower = ContactGhosts::Follower; // flat < 0: not a point of this rank
 
   /// Two points that touch now, and how.
-  struct Touch
+  struct ActiveContact
   {
     Follower first, second;
     Vector3 apart, velocity; // of the second relative to the first [m], [m/s]
@@ -91,8 +91,8 @@ private:
 
   double stiffness(int body, int other_body) const; // k of a pair [N/m]
   void push_former_neighbours(std::size_t body, double dt);
-  void push_foreign_pairs(double dt);
-  void push(const Touch &touch, double dt);
+  void push_non_bonded_pairs(double dt);
+  void push(const ActiveContact &touch, double dt);
   Vector3 friction(const Vector3 &normal, const Vector3 &velocity, double pressure, double mass,
                    double dt) const;
 
@@ -102,7 +102,7 @@ private:
   bool mirrored_;
   Friction friction_;
   std::vector<double> stiffness_; // k within each body [N/m]
-  DebrisPairs pairs_;
+  ContactPairs pairs_;
   std::vector<std::int32_t> touching_; // workspace
   std::vector<Contact> contacts_;
   std::vector<Rubbed> rubbed_;

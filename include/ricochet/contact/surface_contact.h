@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact of the points of a peridynamic body with the surface of a deformable projectile: the laws
-// of forces/projectile_contact.h, with the surface's own triangles instead of an analytic shape.
+// of contact/rigid_contact.h, with the surface's own triangles instead of an analytic shape.
 //
 // With the nearest point c = sum N_a x_a, distance phi and normal n, the normal force has the
 // potential k (dx/2 - phi)^2/2 and acts on the nodes as -N_a f_n n, exactly its gradient. Friction
@@ -13,8 +13,8 @@
 // in the order of the points, hence independent of the number of ranks.
 #pragma once
 
-#include "ricochet/finite_elements/hexahedral_body.h"
 #include "ricochet/contact/rigid_contact.h"
+#include "ricochet/finite_elements/hexahedral_body.h"
 #include "ricochet/geometry/faceted_surface.h"
 
 namespace ricochet
@@ -30,16 +30,18 @@ struct SurfaceNodes
     position(x), velocity(v), force(f)
   {
   }
-  SurfaceNodes(ElasticBody &body) : SurfaceNodes(body.position(), body.velocity(), body.force()) {}
+  SurfaceNodes(HexahedralBody &body) : SurfaceNodes(body.position(), body.velocity(), body.force())
+  {
+  }
 };
 
 class SurfaceContact
 {
 public:
-  using Parameters = ProjectileContact::Parameters;
-  using Reaction   = ProjectileContact::Reaction;
+  using Parameters = RigidContact::Parameters;
+  using Reaction   = RigidContact::Reaction;
 
-  /// Arguments as for ProjectileContact. `is_shank`: of each face of the surface.
+  /// Arguments as for RigidContact. `is_shank`: of each face of the surface.
   SurfaceContact(MPI_Comm communicator, const FrictionLaw &law, const Parameters &parameters,
                  bool mirrored, int n_planes, const std::vector<char> &is_shank);
 
@@ -47,11 +49,11 @@ public:
   /// a spacing far or more: a point that has come deeper is followed by a search of all faces.
   /// Returns what the points do to the body; moments are about `centre`. Collective.
   Reaction evaluate(const SurfaceNodes &body, const FacetedSurface &surface, const Vector3 &centre,
-                    PeridynamicForce &plate);
+                    PeridynamicBody &plate);
 
   /// Adds the friction work of this step to the ledger: call after the points' kick, which is `dt`
   /// long.
-  void record_work(const PeridynamicForce &plate, double dt);
+  void record_work(const PeridynamicBody &plate, double dt);
   /// Work of friction and shank forces on the points so far, both halves [J]. Collective.
   double work_on_points() const;
 
@@ -67,14 +69,14 @@ private:
     double sliding[3], shank[3];     // on the body [N]
     double energy;                   // [J]
   };
-  struct Touch
+  struct ActiveContact
   {
     std::ptrdiff_t point;
     Vector3 friction; // with shank [N]
     Vector3 velocity; // before the kick [m/s]
   };
 
-  void find_loads(const SurfaceNodes &body, const FacetedSurface &surface, PeridynamicForce &plate);
+  void find_loads(const SurfaceNodes &body, const FacetedSurface &surface, PeridynamicBody &plate);
   std::vector<Load> gather() const;
 
   MPI_Comm communicator_;
@@ -83,7 +85,7 @@ private:
   double multiplicity_; // 2 with a symmetry plane
   std::vector<char> is_shank_;
   std::vector<Load> loads_; // of this rank's points
-  std::vector<Touch> touches_;
+  std::vector<ActiveContact> active_;
   std::vector<std::ptrdiff_t> deep_; // points that may leave the reach of the surface inwards
   std::vector<double> friction_;
   PlaneSums<1> work_;

@@ -10,10 +10,10 @@
 
 namespace ricochet
 {
-class ZoneWatch
+class AdaptiveZone
 {
 public:
-  /// With the usual time step waves cross less than the watched rim in so many steps.
+  /// With the usual time step waves cross less than the watched interface_band in so many steps.
   static constexpr int steps_between_looks = 8;
 
   struct Parameters
@@ -23,8 +23,8 @@ public:
     bool rebalance = true; // whether ranks share the points anew as the zone grows
   };
 
-  /// `far_field` and its points must outlive this object.
-  ZoneWatch(MPI_Comm communicator, FarField &far_field, const Parameters &parameters);
+  /// `coupled_plate` and its points must outlive this object.
+  AdaptiveZone(MPI_Comm communicator, CoupledPlate &coupled_plate, const Parameters &parameters);
 
   /// Call once per step, before the points are evaluated, with ghosts up to date. Beyond `furthest`
   /// along x nothing grows yet [m]. Returns whether elements became points. Collective.
@@ -39,17 +39,17 @@ public:
   double reached() const { return reached_; }
 
 private:
-  void find_rim();
+  void find_interface_band();
   std::vector<Zone::Cell> columns_in_danger();
   double energy(double dt);
 
   MPI_Comm communicator_;
-  FarField &far_field_;
+  CoupledPlate &coupled_plate_;
   Parameters parameters_;
-  int rim_width_, brick_; // in cells
+  int band_width_, brick_; // in cells
   long n_updates_ = 0, n_conversions_ = 0, n_redistributions_ = 0;
   double loss_ = 0., reached_ = -1.;
-  std::vector<char> rim_;                       // per cell: within reach of the interface
-  std::vector<Lattice::BlockRange> rim_blocks_; // with points of such cells
+  std::vector<char> interface_band_;             // per cell: within reach of the interface
+  std::vector<Lattice::BlockRange> band_blocks_; // with points of such cells
 };
 } // namespace ricochet

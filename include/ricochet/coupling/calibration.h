@@ -39,8 +39,8 @@ class Calibration
 {
 public:
   /// The points must have a zone; both must outlive this object.
-  Calibration(MPI_Comm communicator, const PeridynamicForce &points,
-              const FiniteElementForce &elements, const ElasticModuli &moduli,
+  Calibration(MPI_Comm communicator, const PeridynamicBody &points,
+              const FiniteElementBody &elements, const ElasticModuli &moduli,
               const CalibrationOptions &options);
   ~Calibration();
 
@@ -64,8 +64,8 @@ private:
   void remember(const LeastSquares &problem);
 
   MPI_Comm communicator_;
-  const PeridynamicForce &points_;
-  const FiniteElementForce &elements_;
+  const PeridynamicBody &points_;
+  const FiniteElementBody &elements_;
   ElasticModuli moduli_;
   CalibrationOptions options_;
   CellForces forces_;

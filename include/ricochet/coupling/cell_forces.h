@@ -40,7 +40,7 @@ public:
     double stress_share; // of the bonds of the cell's points, of that in the bulk [-]
   };
 
-  CellForces(const PeridynamicForce &points, const ElasticModuli &moduli);
+  CellForces(const PeridynamicBody &points, const ElasticModuli &moduli);
 
   /// `pattern` of the cell, which lies in the pad or the halo. Remembers what it has computed.
   const Entry &of(const Zone::Cell &cell, std::uint64_t pattern);

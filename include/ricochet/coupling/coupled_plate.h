@@ -12,11 +12,11 @@
 
 namespace ricochet
 {
-struct FarFieldOptions
+struct CoupledPlateOptions
 {
   CouplingParameters coupling;
   Quadrature quadrature        = Quadrature::one_point;
-  double hourglass_coefficient = 1.;    // see FiniteElementForce::Options
+  double hourglass_coefficient = 1.;    // see FiniteElementBody::Options
   int coarsening_levels        = 0;     // the largest cubes have 2^levels times the edge of a cell
   bool absorbing_edges         = false; // dashpots at the side faces, along x and y
   Zone::Cells fine_region{};            // cubes have the size of cells here, and two cells around
@@ -26,26 +26,26 @@ struct FarFieldOptions
 Zone make_zone(const std::array<int, 3> &n_cells, const Stencil &stencil,
                const CouplingParameters &coupling);
 
-class FarField
+class CoupledPlate
 {
 public:
   /// At rest. `points` must have been built with `zone`; both must outlive this object. Collective.
   /// Throws InputError if the plate cannot be divided into cubes.
-  FarField(MPI_Comm communicator, PeridynamicForce &points, Zone &zone,
-           const FarFieldOptions &options);
-  FarField(const FarField &)            = delete;
-  FarField &operator=(const FarField &) = delete;
+  CoupledPlate(MPI_Comm communicator, PeridynamicBody &points, Zone &zone,
+               const CoupledPlateOptions &options);
+  CoupledPlate(const CoupledPlate &)            = delete;
+  CoupledPlate &operator=(const CoupledPlate &) = delete;
 
   /// Slaved points take over the nodes' motion; call after every change of it, before the points'
   /// update_ghosts(). Collective.
   void lead();
   /// Forces on nodes: of the elements and of the slaved points, which must be complete. With
-  /// `energy`, also the elements' energies; not a step: see PeridynamicForce::evaluate().
+  /// `energy`, also the elements' energies; not a step: see PeridynamicBody::evaluate().
   /// Collective.
   void add_forces(bool energy, bool is_step = true);
   /// The same, ready for advance(): with the mass correction.
   void evaluate(bool energy, bool is_step = true);
-  /// See FiniteElementForce and PeridynamicForce: of both, if their material relaxes.
+  /// See FiniteElementBody and PeridynamicBody: of both, if their material relaxes.
   void start_relaxation(double dt);
   /// Kick and drift of the nodes [s].
   void advance(double kick, double drift) { elements_.advance(kick, drift); }
@@ -62,7 +62,7 @@ public:
     double total() const { return kinetic + strain + hourglass; }
   };
   Energies energies(double dt) const;
-  PeridynamicForce::Momenta momenta() const;
+  PeridynamicBody::Momenta momenta() const;
 
   /// The cells become part of the zone, with the present motion of the elements there; the
   /// interface is set up anew. Returns whether anything changed. Collective.
@@ -73,10 +73,10 @@ public:
   bool rebalance();
 
   const Zone &zone() const { return zone_; }
-  PeridynamicForce &points() { return points_; }
-  const PeridynamicForce &points() const { return points_; }
-  FiniteElementForce &elements() { return elements_; }
-  const FiniteElementForce &elements() const { return elements_; }
+  PeridynamicBody &points() { return points_; }
+  const PeridynamicBody &points() const { return points_; }
+  FiniteElementBody &elements() { return elements_; }
+  const FiniteElementBody &elements() const { return elements_; }
   /// With relaxation the worse of the two parts, each in units of its own M.
   CalibrationReport calibration() const;
 
@@ -91,10 +91,10 @@ private:
   std::vector<std::vector<double>> nodal_histories() const;
 
   MPI_Comm communicator_;
-  PeridynamicForce &points_;
+  PeridynamicBody &points_;
   Zone &zone_;
-  FarFieldOptions options_;
-  FiniteElementForce elements_;
+  CoupledPlateOptions options_;
+  FiniteElementBody elements_;
   SlavedPoints slaved_;
   Calibration calibration_;                        // of all, with relaxation of what is left
   std::unique_ptr<Calibration> shear_calibration_; // of the part that relaxes

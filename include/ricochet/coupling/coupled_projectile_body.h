@@ -3,7 +3,7 @@
 // them behind a plane across its axis, or without. For projectiles: small, in the reference
 // configuration a body of revolution about x, computed whole wherever it is asked for.
 //
-// Where points end, two cells of the lattice (pad and halo, discretization/zone.h) overlap the
+// Where points end, two cells of the lattice (pad and halo, peridynamics/zone.h) overlap the
 // elements: these points follow the nodes, x_p = sum N_a x_a with N_a the mean of the shape
 // functions over the point's cube, which may be larger than an element, and hand their forces on by
 // the transpose. The elements there keep a share s_e of their strain energy, found by least squares
@@ -18,14 +18,14 @@
 #pragma once
 
 #include "ricochet/finite_elements/hexahedral_body.h"
-#include "ricochet/peridynamics/peridynamic_body.h"
 #include "ricochet/geometry/body_of_revolution.h"
+#include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <memory>
 
 namespace ricochet
 {
-class CoupledBody
+class CoupledProjectileBody
 {
 public:
   struct Parameters
@@ -67,10 +67,11 @@ public:
   /// At rest in the reference configuration. `mesh` of the same shape, its half if mirrored. Throws
   /// InputError if the spacing is too coarse, the elements leave no room for the overlap, or a
   /// point in the overlap lies far from all of them.
-  CoupledBody(const BodyOfRevolution &shape, const HexSolid &mesh, const Parameters &parameters);
-  ~CoupledBody();
-  CoupledBody(const CoupledBody &)            = delete;
-  CoupledBody &operator=(const CoupledBody &) = delete;
+  CoupledProjectileBody(const BodyOfRevolution &shape, const HexSolid &mesh,
+                        const Parameters &parameters);
+  ~CoupledProjectileBody();
+  CoupledProjectileBody(const CoupledProjectileBody &)            = delete;
+  CoupledProjectileBody &operator=(const CoupledProjectileBody &) = delete;
 
   /// Points that follow nodes take their places; call after a change of the motion.
   void lead();
@@ -96,19 +97,19 @@ public:
   /// Axial position where elements end and free points begin; the base without elements [m].
   double interface() const { return interface_; }
   const Overlap &overlap() const { return overlap_; }
-  const ElasticBody *elements() const { return elements_.get(); } // null if there are none
+  const HexahedralBody *elements() const { return elements_.get(); } // null if there are none
 
 private:
   void place_points(const BodyOfRevolution &shape, const Parameters &parameters, double volume);
-  static void strain(PeridynamicForce &points);
-  void correct_surface(PeridynamicForce &&whole);
+  static void strain(PeridynamicBody &points);
+  void correct_surface(PeridynamicBody &&whole);
   std::vector<double> shares_of(const HexSolid &mesh, const HexSolid &elements,
                                 const std::vector<char> &overlaps, const Parameters &parameters);
 
   double mass_, interface_;
   std::unique_ptr<Zone> zone_;
-  std::unique_ptr<PeridynamicForce> peridynamic_;
-  std::unique_ptr<ElasticBody> elements_;
+  std::unique_ptr<PeridynamicBody> peridynamic_;
+  std::unique_ptr<HexahedralBody> elements_;
   std::vector<MassPoint> mass_points_;
   std::vector<Point> points_;
   std::vector<int> node_, slaved_;    // mass points of the mesh's nodes; points that follow nodes

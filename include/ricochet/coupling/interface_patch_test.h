@@ -21,6 +21,6 @@ struct PatchReport
 /// strain error is not a number. `residual_left`: forces at the end of the relaxation, in the
 /// preconditioner's norm and in units of those at its start; with 1e-2 the strain error is right to
 /// 1 %, with 3e-2 to 3 %. Collective.
-PatchReport patch_test(MPI_Comm communicator, FarField &plate, int most_iterations = 200,
+PatchReport patch_test(MPI_Comm communicator, CoupledPlate &plate, int most_iterations = 200,
                        double residual_left = 1e-2);
 } // namespace ricochet

@@ -3,11 +3,11 @@
 // pulls at them pulls at the nodes: f_a += N_a(X_p) f_p, the transpose, so that the power of the
 // forces is the same on both sides. Each element of the zone's cell size holds n x n x n points,
 // the centres of its sub-cubes, n = 1, 2 or 4. Lattice and mesh are shared among the ranks in
-// different ways; what a rank needs of the other's comes by discretization/node_links.h.
+// different ways; what a rank needs of the other's comes by finite_elements/node_links.h.
 #pragma once
 
-#include "ricochet/finite_elements/node_links.h"
 #include "ricochet/finite_elements/finite_element_body.h"
+#include "ricochet/finite_elements/node_links.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <functional>
@@ -23,11 +23,11 @@ public:
   SlavedPoints() = default;
   /// The points of the cells for which `follows` is true; their elements must exist in cell size.
   /// Collective.
-  SlavedPoints(MPI_Comm communicator, const FiniteElementForce &elements, const Lattice &lattice,
+  SlavedPoints(MPI_Comm communicator, const FiniteElementBody &elements, const Lattice &lattice,
                const std::function<bool(const Zone::Cell &)> &follows);
 
   /// Points take over position and velocity. Collective.
-  void follow(const FiniteElementForce &elements, LatticeState &state);
+  void follow(const FiniteElementBody &elements, LatticeState &state);
   /// Points take over any nodal field, three numbers per node. Collective.
   void interpolate(const std::vector<double> &nodal, double *const field[3]);
   /// Forces of the points are added to those of the nodes. Collective.

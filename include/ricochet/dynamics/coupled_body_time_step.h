@@ -10,5 +10,5 @@ namespace ricochet
 {
 /// `n_iterations` force evaluations about the reference configuration, the same on every rank. The
 /// body is left at rest there.
-FrequencyEstimate estimate_largest_frequency(CoupledBody &body, int n_iterations = 60);
+FrequencyEstimate estimate_largest_frequency(CoupledProjectileBody &body, int n_iterations = 60);
 } // namespace ricochet

@@ -3,9 +3,9 @@
 // largest of them the stable time step, without running anything.
 #pragma once
 
+#include "ricochet/base/vector.h"
 #include "ricochet/coupling/coupled_plate.h"
 #include "ricochet/peridynamics/stencil.h"
-#include "ricochet/base/vector.h"
 
 #include <vector>
 
@@ -39,7 +39,7 @@ private:
   double volumetric_; // of g g^T [1/s^2]
 };
 
-/// The same of a mesh of cubes with lumped mass, as FiniteElementForce computes it.
+/// The same of a mesh of cubes with lumped mass, as FiniteElementBody computes it.
 class ElementDispersion
 {
 public:
@@ -71,6 +71,6 @@ struct PredictedTimeStep
 
 /// `far` is null for a body of points alone. The corrected mass beside the zone is left out; it
 /// takes up to 3 %.
-PredictedTimeStep predicted_time_step(const PeridynamicForce &points,
-                                      const FarFieldOptions *far = nullptr);
+PredictedTimeStep predicted_time_step(const PeridynamicBody &points,
+                                      const CoupledPlateOptions *far = nullptr);
 } // namespace ricochet

@@ -10,6 +10,6 @@ namespace ricochet
 /// `n_iterations` force evaluations about the reference configuration (30 suffice for 1 %). The
 /// body is left at rest in its reference configuration. Collective; the result does not depend on
 /// the number of ranks.
-FrequencyEstimate estimate_largest_frequency(MPI_Comm communicator, PeridynamicForce &body,
+FrequencyEstimate estimate_largest_frequency(MPI_Comm communicator, PeridynamicBody &body,
                                              int n_iterations = 30);
 } // namespace ricochet

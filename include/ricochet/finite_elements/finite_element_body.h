@@ -44,7 +44,7 @@ struct ElementStiffness
   std::array<std::array<double, HexTensors::n_entries>, 8> shear = {};
 };
 
-class FiniteElementForce
+class FiniteElementBody
 {
 public:
   struct Options
@@ -76,12 +76,12 @@ public:
 
   /// At rest in the reference configuration; nodes on a mirror plane have u_y = 0. Collective.
   /// Throws InputError if the processor lacks the instruction set or the mesh is impossible.
-  FiniteElementForce(MPI_Comm communicator, const HexMesh::Box &box,
-                     const FiniteElementMaterial &material, const Options &options);
-  FiniteElementForce(MPI_Comm communicator, const HexMesh::Box &box,
-                     const FiniteElementMaterial &material);
-  FiniteElementForce(const FiniteElementForce &)            = delete;
-  FiniteElementForce &operator=(const FiniteElementForce &) = delete;
+  FiniteElementBody(MPI_Comm communicator, const HexMesh::Box &box,
+                    const FiniteElementMaterial &material, const Options &options);
+  FiniteElementBody(MPI_Comm communicator, const HexMesh::Box &box,
+                    const FiniteElementMaterial &material);
+  FiniteElementBody(const FiniteElementBody &)            = delete;
+  FiniteElementBody &operator=(const FiniteElementBody &) = delete;
 
   /// Gives these elements their own tensors, with full quadrature; all others have the material's
   /// moduli, whatever was set before. Elements that are not active are left out. History stays; an
@@ -97,7 +97,7 @@ public:
   bool relaxes() const { return !branches_.empty(); }
   /// E_b,k, the strain that the dashpots of a branch have taken over; mean of the Gauss points [-].
   Eigen::Matrix3d back_strain(int element, int branch) const;
-  /// What bonds take over from an element before the next step, see BondHistory::take_over().
+  /// What bonds take over from an element before the next step, see BondViscosity::take_over().
   Eigen::Matrix3d history(int element, int branch) const;
   /// Sets E_b,k at all Gauss points of an element, for bodies that take over from others; as of the
   /// last evaluate().

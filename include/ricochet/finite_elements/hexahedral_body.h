@@ -11,12 +11,12 @@
 
 namespace ricochet
 {
-class ElasticBody
+class HexahedralBody
 {
 public:
   struct Options
   {
-    /// In units of the stiffness with which a cube bends exactly, see FiniteElementForce::Options.
+    /// In units of the stiffness with which a cube bends exactly, see FiniteElementBody::Options.
     double hourglass_coefficient = 1.;
     const char *instruction_set  = nullptr; // as in hex_kernel()
     /// Per cell, how much of its strain energy counts; none: all of it. Mass and hourglass control
@@ -31,11 +31,11 @@ public:
 
   /// At rest in the reference configuration `solid`. `mirrored`: nodes at y = 0 stay there. Throws
   /// InputError if the processor lacks the instruction set or a cell is folded.
-  ElasticBody(const HexSolid &solid, const FiniteElementMaterial &material, bool mirrored,
-              const Options &options);
-  ElasticBody(const HexSolid &solid, const FiniteElementMaterial &material, bool mirrored);
-  ElasticBody(const ElasticBody &)            = delete;
-  ElasticBody &operator=(const ElasticBody &) = delete;
+  HexahedralBody(const HexSolid &solid, const FiniteElementMaterial &material, bool mirrored,
+                 const Options &options);
+  HexahedralBody(const HexSolid &solid, const FiniteElementMaterial &material, bool mirrored);
+  HexahedralBody(const HexahedralBody &)            = delete;
+  HexahedralBody &operator=(const HexahedralBody &) = delete;
 
   /// Puts the body into a rigid motion: its centroid, orientation and spin. Stress free.
   void set_motion(const RigidBody::Motion &motion);
@@ -48,7 +48,7 @@ public:
   void advance(double kick, double drift);
 
   /// At the present time with velocities of half a step before, 1/2 m v- . v+, see
-  /// FiniteElementForce::energies(). After evaluate(true), when all forces have been added.
+  /// FiniteElementBody::energies(). After evaluate(true), when all forces have been added.
   Energies energies(double dt) const;
   double mass() const { return total_mass_; } // as computed [kg]
 
@@ -58,7 +58,7 @@ public:
   RigidBody::Motion rigid_motion() const;
   /// Of half a step before the present time, without a mirrored half: linear [kg m/s], and angular
   /// about the origin [kg m^2/s].
-  FiniteElementForce::Momenta momenta() const;
+  FiniteElementBody::Momenta momenta() const;
 
   const HexSolid &solid() const { return solid_; }
   bool mirrored() const { return mirrored_; }

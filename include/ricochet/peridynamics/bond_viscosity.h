@@ -15,9 +15,9 @@
 // points have a weight w (near finite elements), theta and theta_b stand for w theta and w theta_b.
 #pragma once
 
+#include "ricochet/materials/relaxation.h"
 #include "ricochet/peridynamics/lattice_state.h"
 #include "ricochet/peridynamics/plane_sums.h"
-#include "ricochet/materials/relaxation.h"
 
 #include <Eigen/Core>
 
@@ -28,7 +28,7 @@ namespace ricochet
 {
 class PlaneExchange;
 
-class BondHistory
+class BondViscosity
 {
 public:
   /// What is measured between two records of the energies, at least: the dissipation is known
@@ -38,9 +38,9 @@ public:
 
   /// `family` with the instantaneous shear modulus; `constants` per offset, without the limit of
   /// breaking. All history zero.
-  BondHistory(const Lattice &lattice, const FamilyConstants &family,
-              const std::vector<BondConstants> &constants, const RelaxationSeries &series,
-              HistoryPrecision precision, double dt);
+  BondViscosity(const Lattice &lattice, const FamilyConstants &family,
+                const std::vector<BondConstants> &constants, const RelaxationSeries &series,
+                HistoryPrecision precision, double dt);
 
   // One evaluation of forces calls, in this order:
 

@@ -9,8 +9,8 @@
 // branches go the same way, with e - e_b for e.
 #pragma once
 
-#include "ricochet/peridynamics/plane_sums.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
+#include "ricochet/peridynamics/plane_sums.h"
 
 #include <array>
 
@@ -20,7 +20,7 @@ class FractureEnergy
 {
 public:
   /// `body` must outlive this object. `mirrored`: y = 0 is a symmetry plane.
-  FractureEnergy(const PeridynamicForce &body, bool mirrored);
+  FractureEnergy(const PeridynamicBody &body, bool mirrored);
 
   /// Adds what the last evaluate() of the body has broken; `dt` is the step that led there [s].
   void record(double dt);
@@ -33,7 +33,7 @@ public:
   Total total(MPI_Comm communicator) const;
 
 private:
-  const PeridynamicForce &body_;
+  const PeridynamicBody &body_;
   double multiplicity_;
   PlaneSums<2> sums_; // energy, bond ends
   struct LostTheta

@@ -13,9 +13,9 @@
 // the zone may get, and loops run over the ranges of blocks that hold any point.
 #pragma once
 
+#include "ricochet/base/vector.h"
 #include "ricochet/peridynamics/stencil.h"
 #include "ricochet/peridynamics/zone.h"
-#include "ricochet/base/vector.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 // All that moves on a lattice: positions, velocities, forces, dilatation, bonds.
 #pragma once
 
-#include "ricochet/peridynamics/lattice.h"
 #include "ricochet/kernels/lattice_kernel.h"
+#include "ricochet/peridynamics/lattice.h"
 
 #include <memory>
 

@@ -5,9 +5,9 @@
 // (coupling/) sets their motion and collects their forces.
 #pragma once
 
+#include "ricochet/peridynamics/bond_viscosity.h"
 #include "ricochet/peridynamics/halo.h"
 #include "ricochet/peridynamics/lattice_state.h"
-#include "ricochet/peridynamics/bond_viscosity.h"
 
 #include <array>
 #include <memory>
@@ -29,19 +29,19 @@ struct PeridynamicMaterial
   HistoryPrecision history_precision = HistoryPrecision::single_precision;
 };
 
-class PeridynamicForce
+class PeridynamicBody
 {
 public:
   /// Collective. `number` of the body, from 0, keeps the messages of several bodies apart.
   /// `instruction_set` as in lattice_kernel(). The zone, if any, must outlive this object. Throws
   /// InputError if the processor lacks the instruction set or if the law cannot represent the
   /// moduli.
-  PeridynamicForce(MPI_Comm communicator, int number, const Lattice::Box &box,
-                   const Stencil &stencil, const PeridynamicMaterial &material,
-                   const Lattice::Mask &mask = {}, const char *instruction_set = nullptr,
-                   const Zone *zone = nullptr);
-  PeridynamicForce(const PeridynamicForce &)            = delete;
-  PeridynamicForce &operator=(const PeridynamicForce &) = delete;
+  PeridynamicBody(MPI_Comm communicator, int number, const Lattice::Box &box,
+                  const Stencil &stencil, const PeridynamicMaterial &material,
+                  const Lattice::Mask &mask = {}, const char *instruction_set = nullptr,
+                  const Zone *zone = nullptr);
+  PeridynamicBody(const PeridynamicBody &)            = delete;
+  PeridynamicBody &operator=(const PeridynamicBody &) = delete;
 
   /// Ghosts and images take over positions and velocities; call after every change of them.
   /// Collective.
@@ -53,8 +53,8 @@ public:
   /// the law or a branch cannot be used so.
   void start_relaxation(double dt);
   /// Null if the body is elastic.
-  const BondHistory *history() const { return history_.get(); }
-  BondHistory *history() { return history_.get(); }
+  const BondViscosity *history() const { return history_.get(); }
+  BondViscosity *history() { return history_.get(); }
 
   /// Breaks overstretched bonds, then overwrites `force` with the bond forces; positions of ghosts
   /// must be up to date. With `energy`, also each point's strain energy. Not a step: the history of
@@ -68,7 +68,7 @@ public:
   /// Components 11, 22, 33, 23, 13, 12 of a tensor per point, and of a branch each.
   using TensorFields = std::vector<std::array<std::vector<double>, 6>>;
   /// After follow_zone() of a body that relaxes: the histories that bonds which have appeared take
-  /// over, see BondHistory::take_over(), at owned points. Collective.
+  /// over, see BondViscosity::take_over(), at owned points. Collective.
   void continue_history(TensorFields &histories);
 
   /// Moves planes between the ranks, with everything that is known of their points: afterwards rank
@@ -171,7 +171,7 @@ private:
   std::vector<BondConstants> constants_, unbreakable_constants_;
   std::vector<int64_t> shifts_;
   BondTable table_, unbreakable_table_;
-  std::unique_ptr<BondHistory> history_;
+  std::unique_ptr<BondViscosity> history_;
   std::vector<std::uint8_t> initial_bonds_;
   std::vector<std::uint16_t> initial_family_; // bonds of each owned point at the start
   // Blocks with bonds; those of whole weight alone, and the others.
@@ -185,7 +185,7 @@ private:
 };
 
 template <class Visitor>
-void PeridynamicForce::for_each_newly_broken_bond(Visitor &&visit) const
+void PeridynamicBody::for_each_newly_broken_bond(Visitor &&visit) const
 {
   for (std::size_t i = 0; i < n_broken_; ++i)
     for (int lane = 0; lane < Lattice::block_size; ++lane)
@@ -198,7 +198,7 @@ void PeridynamicForce::for_each_newly_broken_bond(Visitor &&visit) const
 }
 
 template <class Visitor>
-void PeridynamicForce::for_each_broken_bond(Visitor &&visit) const
+void PeridynamicBody::for_each_broken_bond(Visitor &&visit) const
 {
   const std::ptrdiff_t last = lattice_.owned_end() / Lattice::block_size;
   for (std::ptrdiff_t block = 0; block < last; ++block)

@@ -106,7 +106,7 @@ public:
 
   /// Per cell (see number()), whether it is free and at most so many cells away from one that is
   /// not.
-  std::vector<char> rim(int width) const;
+  std::vector<char> interface_band(int width) const;
   /// Whether grow() would change anything.
   bool would_grow(const std::vector<Cells> &boxes) const;
 

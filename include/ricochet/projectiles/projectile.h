@@ -14,7 +14,7 @@ class Projectile
 {
 public:
   using Motion   = RigidBody::Motion;
-  using Reaction = ProjectileContact::Reaction;
+  using Reaction = RigidContact::Reaction;
 
   struct Energies
   {
@@ -42,13 +42,13 @@ public:
   virtual SurfaceFrame surface() const                     = 0;
 
   /// Internal forces at the present time, with `energy` the stored energy too.
-  virtual void begin(bool energy)                                                        = 0;
+  virtual void begin(bool energy)                                                       = 0;
   /// Adds the forces of contact to plate number `plate` and to the body. Collective.
-  virtual Reaction touch(std::size_t plate, PeridynamicForce &points)                    = 0;
+  virtual Reaction touch(std::size_t plate, PeridynamicBody &points)                    = 0;
   /// Kick and drift; `reaction` of all plates.
-  virtual void advance(const Reaction &reaction, double dt)                              = 0;
+  virtual void advance(const Reaction &reaction, double dt)                             = 0;
   /// The work of friction in this step on the plate's points, after their kick.
-  virtual void record_work(std::size_t plate, const PeridynamicForce &points, double dt) = 0;
+  virtual void record_work(std::size_t plate, const PeridynamicBody &points, double dt) = 0;
 
   /// At the present time, before advance().
   virtual Energies energies(const Reaction &reaction, double dt) const = 0;
@@ -75,7 +75,7 @@ private:
 /// What a projectile must know of each plate, from top to bottom.
 struct PlateContact
 {
-  ProjectileContact::Parameters parameters;
+  RigidContact::Parameters parameters;
   double spacing; // dx [m]
   int n_planes;   // of the lattice
 };

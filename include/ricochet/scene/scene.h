@@ -105,7 +105,7 @@ struct ContactParameters
   double shank_contact_fraction; // k, 0 switches shank friction off [-]
   double debris_factor;        // of the short-range stiffness 18 K/(pi delta^4), 0 switches off [-]
   double debris_friction = 0.; // of points on points, in units of the projectile's; 0: none [-]
-  std::string search = "linked cells"; // one of contact_search_names() in forces/contact_search.h
+  std::string search = "linked cells"; // one of contact_search_names() in contact/contact_search.h
 };
 
 struct TimeParameters

@@ -29,11 +29,11 @@ struct SortedPoints
   const double *position; // x, y, z of the caller's point 0, 1, ... [m]
   double squared_radius;  // [m^2]
   float sure, possible;   // squared distances [cells^2] below which a pair is, or may be, one
-  const float *place[3]      = {}; // see geometry/families.h; null: there are no families
+  const float *place[3]      = {}; // see search/families.h; null: there are no families
   float squared_family_range = 0.f;
 };
 
-/// The cells of a grid in the order z fastest, then y, then x. See geometry/cell_grid.h.
+/// The cells of a grid in the order z fastest, then y, then x. See search/cell_grid.h.
 struct CellTable
 {
   const int32_t *begin; // first point of each cell, and one entry more

@@ -3,8 +3,8 @@
 // methods find exactly the same pairs: |x_a - x_b|^2 < radius^2 in double precision.
 #pragma once
 
-#include "ricochet/search/families.h"
 #include "ricochet/base/vector.h"
+#include "ricochet/search/families.h"
 
 #include <memory>
 #include <string>
@@ -66,7 +66,7 @@ std::unique_ptr<PairSearch> make_pair_search(const std::string &name);
 /// Compares every point with every other one. `instruction_set` as in pair_loops(); throws
 /// InputError if the processor lacks it.
 std::unique_ptr<PairSearch> make_brute_force(const char *instruction_set = nullptr);
-/// Compares points in neighbouring cells of a grid, see geometry/cell_grid.h. Likewise.
+/// Compares points in neighbouring cells of a grid, see search/cell_grid.h. Likewise.
 std::unique_ptr<PairSearch> make_linked_cells(const char *instruction_set = nullptr);
 /// Asks a KD-tree (nanoflann) for the neighbours of each point. Points are sorted into cells first:
 /// then tree and queries walk through memory in order.

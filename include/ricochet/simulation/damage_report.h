@@ -2,8 +2,8 @@
 // How badly each plate is damaged: numbers for the summary, maps for the picture.
 #pragma once
 
-#include "ricochet/simulation/simulation.h"
 #include "ricochet/output/damage_map.h"
+#include "ricochet/simulation/simulation.h"
 
 namespace ricochet
 {

@@ -20,7 +20,7 @@ enum class Outcome
 
 const char *name_of(Outcome outcome);
 
-struct Verdict
+struct OutcomeVerdict
 {
   Outcome outcome;
   std::string exit_face; // "front", "rear", "edge" or "none"
@@ -42,7 +42,7 @@ public:
 
   /// The verdict so far; if the run ended for another reason than decided(), that reason is given
   /// by the caller.
-  Verdict verdict(const std::string &other_reason) const;
+  OutcomeVerdict verdict(const std::string &other_reason) const;
 
   double max_depth() const
   {

@@ -14,7 +14,7 @@ namespace ricochet
 struct PlateZone
 {
   std::unique_ptr<Zone> zone; // null if the plate is peridynamic throughout
-  FarFieldOptions options;
+  CoupledPlateOptions options;
   double growth_ahead = std::numeric_limits<double>::infinity(); // of the projectile, along x [m]
   std::string reason;                                            // for the user
 };

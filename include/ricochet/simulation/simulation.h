@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One impact: plates, projectile and all forces between them, and the time step. Knows neither
-// files nor the clock on the wall; drivers/run.h does. One step reads
+// files nor the clock on the wall; commands/run.h does. One step reads
 //   ghosts <- positions;  bonds broken;  f = bonds + projectile contact + debris contact;  v += f
 //   dt/m;  x += v dt
 #pragma once
 
-#include "ricochet/simulation/plate_zone.h"
-#include "ricochet/projectiles/projectile.h"
+#include "ricochet/contact/short_range_contact.h"
 #include "ricochet/coupling/adaptive_zone.h"
 #include "ricochet/dynamics/power_iteration.h"
-#include "ricochet/contact/short_range_contact.h"
 #include "ricochet/peridynamics/fracture_energy.h"
+#include "ricochet/projectiles/projectile.h"
+#include "ricochet/simulation/plate_zone.h"
 
 namespace ricochet
 {
@@ -67,16 +67,22 @@ public:
 
   const Scene &scene() const { return scene_; }
   const Projectile &projectile() const { return *projectile_; }
-  const ProjectileContact::Reaction &reaction() const
+  const RigidContact::Reaction &reaction() const
   {
     return reaction_;
   } // of all plates, at the last evaluate()
-  const std::vector<std::unique_ptr<PeridynamicForce>> &plates() const { return plates_; }
+  const std::vector<std::unique_ptr<PeridynamicBody>> &plates() const { return plates_; }
   /// Per plate; null if it is peridynamic throughout.
-  const std::vector<std::unique_ptr<FarField>> &far_fields() const { return far_fields_; }
+  const std::vector<std::unique_ptr<CoupledPlate>> &coupled_plates() const
+  {
+    return coupled_plates_;
+  }
   const std::vector<PlateZone> &zones() const { return zones_; } // per plate
   /// Per plate; null if it is peridynamic throughout.
-  const std::vector<std::unique_ptr<ZoneWatch>> &zone_watches() const { return zone_watches_; }
+  const std::vector<std::unique_ptr<AdaptiveZone>> &adaptive_zones() const
+  {
+    return adaptive_zones_;
+  }
   const MaterialParameters &material(std::size_t plate) const;
   double critical_stretch(std::size_t plate) const; // [-]
 
@@ -129,14 +135,14 @@ private:
   Scene scene_;
   double multiplicity_; // 2 with a symmetry plane
   std::vector<PlateZone> zones_;
-  std::vector<std::unique_ptr<PeridynamicForce>> plates_;
-  std::vector<std::unique_ptr<FarField>> far_fields_;
-  std::vector<std::unique_ptr<ZoneWatch>> zone_watches_;
+  std::vector<std::unique_ptr<PeridynamicBody>> plates_;
+  std::vector<std::unique_ptr<CoupledPlate>> coupled_plates_;
+  std::vector<std::unique_ptr<AdaptiveZone>> adaptive_zones_;
   std::vector<FractureEnergy> fractures_; // per plate
-  std::unique_ptr<DebrisContact> debris_;
+  std::unique_ptr<ShortRangeContact> debris_;
   std::unique_ptr<FrictionLaw> friction_law_;
   std::unique_ptr<Projectile> projectile_;
-  ProjectileContact::Reaction reaction_;
+  RigidContact::Reaction reaction_;
   TimeStepInfo time_step_info_;
   std::vector<FrequencyEstimate> frequencies_;
   double time_ = 0., dt_ = 0.;

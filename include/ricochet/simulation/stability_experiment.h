@@ -12,17 +12,17 @@
 
 namespace ricochet
 {
-enum class Verdict
+enum class StabilityVerdict
 {
   stable,
   inaccurate, // stable, but the strain or the energy is off by more than the limits below
   unstable
 };
 
-const char *verdict_name(Verdict verdict);
+const char *verdict_name(StabilityVerdict verdict);
 
 /// What counts as what.
-struct VerdictLimits
+struct StabilityLimits
 {
   double rise         = 100.; // of the kinetic energy above all energy at the start: unstable [-]
   double growth       = 2.;   // of the kinetic energy over the second half: unstable [-]
@@ -50,12 +50,12 @@ struct StabilityResult
   double smallest_eigenvalue; // of a calibrated tensor before clipping, if negative [M]
   std::int64_t n_points, n_elements;
 
-  Verdict verdict;
+  StabilityVerdict verdict;
   std::string reason;
 };
 
 /// Collective. Throws InputError for a block that cannot be built.
 StabilityResult run_stability_experiment(MPI_Comm communicator,
                                          const StabilityParameters &parameters,
-                                         const VerdictLimits &limits = {});
+                                         const StabilityLimits &limits = {});
 } // namespace ricochet
