@@ -84,7 +84,7 @@ void bench_general_elements(const MPI_Comm communicator, const ElementBenchOptio
     const auto start = std::chrono::steady_clock::now();
     for (int step = 0; step < steps; ++step)
     {
-      body.evaluate(/*energy=*/false);
+      body.compute_internal_forces({});
       body.advance(dt, dt);
     }
     MPI_Barrier(communicator);

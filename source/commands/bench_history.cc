@@ -48,7 +48,7 @@ public:
   {
     body_.state().arrays.position[0][end_] = start_ + stretch * spacing;
     body_.update_ghosts();
-    body_.evaluate(/*breaking=*/false, /*energy=*/false);
+    body_.compute_internal_forces({});
     return -body_.state().arrays.force[0][end_];
   }
 

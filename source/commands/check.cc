@@ -92,8 +92,8 @@ void print_plates(const Simulation &simulation)
                 i + 1, asked.length / mm, asked.width / mm, asked.thickness / mm,
                 box.n[0] * box.spacing / mm, width / mm, box.n[2] * box.spacing / mm,
                 box.mirror_y ? ", half of it computed" : "");
-    std::printf("  zone         %s\n", simulation.zones()[i].reason.c_str());
-    if (const auto &far = simulation.coupled_plates()[i])
+    std::printf("  zone         %s\n", simulation.plate(i).zone_reason.c_str());
+    if (const auto *const far = simulation.coupled_plate(i))
       std::printf(
           "               peridynamic in %.1f %% of the volume; %lld elements of %.4g to %.4g "
           "mm, %lld of them around the zone\n",

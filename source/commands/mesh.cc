@@ -2,7 +2,8 @@
 #include "mesh.h"
 
 #include "ricochet/base/units.h"
-#include "ricochet/dynamics/elastic_body_time_step.h"
+#include "ricochet/dynamics/largest_frequency.h"
+#include "ricochet/finite_elements/hexahedral_body.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/projectiles/projectile.h"
@@ -42,7 +43,8 @@ void mesh(const MPI_Comm communicator, const ParameterFile &file, const MeshOpti
         const double density = scene.projectile.mass / volume(solid);
         HexahedralBody elastic(solid, {density, E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))},
                                /*mirrored=*/false);
-        const double step = 2. / std::sqrt(estimate_largest_frequency(elastic).squared_frequency);
+        const double step =
+            2. / std::sqrt(largest_frequency(MPI_COMM_SELF, elastic, 60).squared_frequency);
         std::printf("mesh           %zu hexahedra, %zu nodes, %zu faces on the surface\n",
                     solid.cells.size(), solid.nodes.size(), surface_of(solid).size());
         std::printf("scaled Jacobian  smallest %.3f, mean %.3f (limit %.2f)\n", worst, mean,

@@ -148,7 +148,7 @@ private:
       const bool picture_due = is_picture_due();
       const bool frame_due   = picture_due || (scene_.output.frame_interval > 0. &&
                                              (last || simulation_.time() >= next_frame_));
-      simulation_.evaluate(record_due);
+      simulation_.compute_forces(record_due);
       watch_.update();
       warn_about_contact();
       if (record_due)
@@ -320,14 +320,14 @@ private:
     for (std::size_t i = 0; i < simulation_.plates().size(); ++i)
     {
       nlohmann::ordered_json z;
-      z["zone"]            = simulation_.zones()[i].reason;
-      const auto &far      = simulation_.coupled_plates()[i];
-      z["share_of_volume"] = far ? double(far->zone().n_free_cells()) /
+      z["zone"]             = simulation_.plate(i).zone_reason;
+      const auto *const far = simulation_.coupled_plate(i);
+      z["share_of_volume"]  = far ? double(far->zone().n_free_cells()) /
                                        static_cast<double>(far->zone().n_cells_in_all())
-                                 : 1.;
+                                  : 1.;
       if (far)
       {
-        const auto &watch         = *simulation_.adaptive_zones()[i];
+        const auto &watch         = far->adaptive_zone();
         z["elements"]             = far->elements().mesh().n_global_elements();
         z["slaved_cells"]         = far->zone().n_slaved_cells();
         z["ghost_force"]          = far->calibration().ghost_after;

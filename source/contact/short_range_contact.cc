@@ -58,7 +58,7 @@ ShortRangeContact::ShortRangeContact(const MPI_Comm communicator, const Bodies &
                                      const std::string &search, const Friction &friction) :
   communicator_(communicator),
   bodies_(bodies), factor_(factor), mirrored_(mirrored), friction_(friction),
-  pairs_(communicator, bodies, mirrored, search), work_(most_planes(bodies))
+  pairs_(communicator, bodies_, mirrored, search), work_(most_planes(bodies))
 {
   for (const auto &body : bodies)
     stiffness_.push_back(pair_stiffness(*body, factor));
@@ -76,7 +76,7 @@ double ShortRangeContact::squared_frequency(const PeridynamicBody &body) const
   return 2. * crowd * pair_stiffness(body, factor_) / body.point_mass();
 }
 
-void ShortRangeContact::evaluate(const double dt)
+void ShortRangeContact::add_forces(const double dt)
 {
   if (factor_ <= 0.)
     return;

@@ -2,16 +2,28 @@
 #include "ricochet/coupling/adaptive_zone.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ricochet
 {
 namespace
 {
-// Free points so near to the interface are looked at: two horizons of three points.
-constexpr int band_points  = 6;
+// Free points so near to the interface are looked at.
+constexpr int band_horizons = 2;
 // A zone grows by bricks of so many points along x and y: the same few shapes of the interface come
 // again and again, and conversions are few.
-constexpr int brick_points = 8;
+constexpr int brick_points  = 8;
+
+/// In cells: the horizon is `horizon_ratio` spacings, which the stencil's reach does not tell (two
+/// points along an axis with the cone, which is zero at its end).
+int band_width(const CoupledPlate &plate)
+{
+  const auto &stencil = plate.points().lattice().stencil();
+  const int points =
+      static_cast<int>(std::ceil(band_horizons * stencil.horizon / stencil.spacing - 1e-9));
+  const int n = plate.zone().points_per_edge();
+  return (points + n - 1) / n;
+}
 
 int brick_below(const int cell, const int brick)
 {
@@ -22,9 +34,7 @@ int brick_below(const int cell, const int brick)
 AdaptiveZone::AdaptiveZone(const MPI_Comm communicator, CoupledPlate &coupled_plate,
                            const Parameters &parameters) :
   communicator_(communicator),
-  coupled_plate_(coupled_plate), parameters_(parameters),
-  band_width_((band_points + coupled_plate.zone().points_per_edge() - 1) /
-              coupled_plate.zone().points_per_edge()),
+  coupled_plate_(coupled_plate), parameters_(parameters), band_width_(band_width(coupled_plate)),
   brick_(brick_points / coupled_plate.zone().points_per_edge())
 {
   find_interface_band();
@@ -68,11 +78,10 @@ std::vector<Zone::Cell> AdaptiveZone::columns_in_danger()
 /// Of the plate alone, as the leapfrog scheme conserves it; forces are those of its own.
 double AdaptiveZone::energy(const double dt)
 {
-  auto &points = coupled_plate_.points();
-  points.update_ghosts();
-  points.evaluate(/*breaking=*/false, /*energy=*/true, /*is_step=*/false);
-  coupled_plate_.evaluate(/*energy=*/true, /*is_step=*/false);
-  return coupled_plate_.energies(dt).total();
+  coupled_plate_.update_ghosts();
+  coupled_plate_.compute_internal_forces({/*energy=*/true, /*is_step=*/false});
+  coupled_plate_.complete_forces();
+  return coupled_plate_.energies(dt).held();
 }
 
 bool AdaptiveZone::update(const double time, const double dt, const double furthest)
@@ -110,13 +119,9 @@ bool AdaptiveZone::update(const double time, const double dt, const double furth
   }
   if (!zone.would_grow(boxes))
     return false;
-  // The dilatation of the step before belongs to the fracture energy of the next one.
-  auto &points        = coupled_plate_.points();
-  const auto history  = points.dilatation_history();
   const double before = energy(dt);
   coupled_plate_.convert(boxes);
   loss_ += before - energy(dt);
-  points.restore_dilatation(history);
   ++n_conversions_;
   if (parameters_.rebalance)
     n_redistributions_ += coupled_plate_.rebalance();

@@ -109,23 +109,24 @@ Zone make_zone(const std::array<int, 3> &n_cells, const Stencil &stencil,
   }
 }
 
-CoupledPlate::CoupledPlate(const MPI_Comm communicator, PeridynamicBody &points, Zone &zone,
+CoupledPlate::CoupledPlate(const MPI_Comm communicator, std::unique_ptr<Zone> zone,
+                           std::unique_ptr<PeridynamicBody> points,
                            const CoupledPlateOptions &options) :
   communicator_(communicator),
-  points_(points), zone_(zone), options_(options),
-  elements_(communicator, mesh_box(points, zone, options), material_of(points),
-            element_options(points, zone, options)),
-  calibration_(communicator, points, elements_,
+  zone_(std::move(zone)), points_(std::move(points)), options_(options),
+  elements_(communicator, mesh_box(*points_, *zone_, options), material_of(*points_),
+            element_options(*points_, *zone_, options)),
+  calibration_(communicator, *points_, elements_,
                {elements_.material().bulk_modulus,
-                elements_.material().shear_modulus * (1. - relaxing_share(points))},
+                elements_.material().shear_modulus * (1. - relaxing_share(*points_))},
                options.coupling.calibration)
 {
   if (!elements_.material().relaxation.empty())
     shear_calibration_ = std::make_unique<Calibration>(
-        communicator, points, elements_, ElasticModuli{0., elements_.material().shear_modulus},
+        communicator, *points_, elements_, ElasticModuli{0., elements_.material().shear_modulus},
         options.coupling.calibration);
   if (options_.absorbing_edges)
-    elements_.absorb_at({true, true, !points.lattice().box().mirror_y, true, false, false});
+    elements_.absorb_at({true, true, !points_->lattice().box().mirror_y, true, false, false});
   join();
   lead();
 }
@@ -133,7 +134,7 @@ CoupledPlate::CoupledPlate(const MPI_Comm communicator, PeridynamicBody &points,
 void CoupledPlate::join()
 {
   const auto &mesh = elements_.mesh();
-  const auto &box  = points_.lattice().box();
+  const auto &box  = points_->lattice().box();
   switch (options_.coupling.method)
   {
     case CouplingMethod::calibrated_energy_blend:
@@ -147,7 +148,7 @@ void CoupledPlate::join()
       break;
   }
 
-  const double cell = zone_.points_per_edge() * box.spacing;
+  const double cell = zone_->points_per_edge() * box.spacing;
   if (options_.coupling.correct_mass)
   {
     std::vector<int> pad;
@@ -156,18 +157,18 @@ void CoupledPlate::join()
       const auto &element = mesh.elements()[e];
       if (element.edge > 1.5 * cell)
         continue;
-      const int layer = zone_.layer(cell_at(points_.lattice(), mesh.centre(element)));
-      if (layer > 0 && layer <= zone_.pad_layers())
+      const int layer = zone_->layer(cell_at(points_->lattice(), mesh.centre(element)));
+      if (layer > 0 && layer <= zone_->pad_layers())
         pad.push_back(static_cast<int>(e));
     }
-    elements_.set_consistent_mass(pad, zone_.points_per_edge());
+    elements_.set_consistent_mass(pad, zone_->points_per_edge());
   }
   tie();
 
   if (options_.coupling.method == CouplingMethod::force_blend)
   {
-    const int width = cells_in(options_.coupling.blend_width, points_.lattice().stencil(),
-                               zone_.points_per_edge());
+    const int width = cells_in(options_.coupling.blend_width, points_->lattice().stencil(),
+                               zone_->points_per_edge());
     bond_share_.clear();
     for (int node = 0; node < mesh.n_owned_nodes(); ++node)
     {
@@ -179,8 +180,8 @@ void CoupledPlate::join()
         Zone::Cell around;
         for (int d = 0; d < 3; ++d)
           around[d] = static_cast<int>(std::lround(at[d])) - ((corner >> d) & 1);
-        if (zone_.contains(around))
-          distance = std::min(distance, zone_.layer(around));
+        if (zone_->contains(around))
+          distance = std::min(distance, zone_->layer(around));
       }
       bond_share_.push_back(blend(options_.coupling.blend, double(distance) / width));
     }
@@ -190,21 +191,21 @@ void CoupledPlate::join()
 /// Finds the nodes that slaved points follow.
 void CoupledPlate::tie()
 {
-  slaved_ = SlavedPoints(communicator_, elements_, points_.lattice(),
+  slaved_ = SlavedPoints(communicator_, elements_, points_->lattice(),
                          [&](const Zone::Cell &at)
-                         { return zone_.is_slaved(at) || zone_.has_contact(at); });
+                         { return zone_->is_slaved(at) || zone_->has_contact(at); });
 }
 
 bool CoupledPlate::rebalance()
 {
   // Moving planes costs about as much as some steps.
   constexpr double tolerable = 1.1, worth_it = 0.95;
-  const Lattice &lattice = points_.lattice();
+  const Lattice &lattice = points_->lattice();
   const auto fair        = lattice.fair_plane_starts();
   const double now       = lattice.imbalance(lattice.plane_starts());
   if (now < tolerable || lattice.imbalance(fair) > worth_it * now)
     return false;
-  points_.redistribute(fair);
+  points_->redistribute(fair);
   tie();
   lead();
   return true;
@@ -231,7 +232,7 @@ std::vector<ElementStiffness> CoupledPlate::calibrated_stiffness()
     return stiffness;
   // What is left in the end, and what relaxes: neither is negative, so nothing in between is.
   const auto shear   = shear_calibration_->find();
-  const double share = relaxing_share(points_);
+  const double share = relaxing_share(*points_);
   for (std::size_t i = 0; i < stiffness.size(); ++i)
   {
     stiffness[i].shear = shear[i].tensors;
@@ -246,8 +247,8 @@ std::vector<ElementStiffness> CoupledPlate::calibrated_stiffness()
 std::vector<ElementStiffness> CoupledPlate::blended_stiffness() const
 {
   const auto &mesh    = elements_.mesh();
-  const auto &box     = points_.lattice().box();
-  const int n         = zone_.points_per_edge();
+  const auto &box     = points_->lattice().box();
+  const int n         = zone_->points_per_edge();
   const double cell   = n * box.spacing;
   const double mu     = elements_.material().shear_modulus,
                lambda = elements_.material().bulk_modulus - 2. / 3. * mu;
@@ -255,14 +256,14 @@ std::vector<ElementStiffness> CoupledPlate::blended_stiffness() const
   for (std::size_t e = 0; e < mesh.elements().size(); ++e)
   {
     const auto &element = mesh.elements()[e];
-    const auto at       = cell_at(points_.lattice(), mesh.centre(element));
-    if (element.edge > 1.5 * cell || !zone_.is_slaved(at))
+    const auto at       = cell_at(points_->lattice(), mesh.centre(element));
+    if (element.edge > 1.5 * cell || !zone_->is_slaved(at))
       continue;
     double share = 1.;
     for (int z = n * at[2]; z < n * (at[2] + 1); ++z)
       for (int y = n * at[1]; y < n * (at[1] + 1); ++y)
         for (int x = n * at[0]; x < n * (at[0] + 1); ++x)
-          share -= zone_.weight(x, y, z) / (n * n * n);
+          share -= zone_->weight(x, y, z) / (n * n * n);
     ElementStiffness own{static_cast<int>(e), {}};
     const auto isotropic = [&](const double first)
     {
@@ -282,56 +283,54 @@ std::vector<ElementStiffness> CoupledPlate::blended_stiffness() const
 void CoupledPlate::lead()
 {
   elements_.update_ghosts();
-  slaved_.follow(elements_, points_.state());
+  slaved_.follow(elements_, points_->state());
 }
 
 void CoupledPlate::start_relaxation(const double dt)
 {
-  points_.start_relaxation(dt);
+  points_->start_relaxation(dt);
   elements_.start_relaxation(dt);
 }
 
-void CoupledPlate::evaluate(const bool energy, const bool is_step)
+void CoupledPlate::compute_internal_forces(const ForceRequest &request)
 {
-  add_forces(energy, is_step);
-  elements_.correct_mass();
+  points_->compute_internal_forces(request);
+  elements_.compute_internal_forces(request);
 }
 
-void CoupledPlate::add_forces(const bool energy, const bool is_step)
+void CoupledPlate::hand_on()
 {
-  elements_.evaluate(energy, is_step);
   if (options_.coupling.method == CouplingMethod::force_blend)
     blend_forces();
   else
-    slaved_.hand_on(points_.state(), elements_.force());
+    slaved_.hand_on(points_->state(), elements_.force());
+}
+
+void CoupledPlate::complete_forces()
+{
+  hand_on();
+  elements_.complete_forces();
+}
+
+void CoupledPlate::advance(const double kick, const double drift)
+{
+  points_->advance(kick, drift);
+  elements_.advance(kick, drift);
+  lead();
 }
 
 void CoupledPlate::rest()
 {
-  const Lattice &lattice = points_.lattice();
-  auto &a                = points_.state().arrays;
-  lattice.for_each_owned(
-      [&](const std::ptrdiff_t p)
-      {
-        const Vector3 x = lattice.reference_position(lattice.coordinates(p));
-        for (int d = 0; d < 3; ++d)
-        {
-          a.position[d][p] = x[d];
-          a.velocity[d][p] = a.force[d][p] = 0.;
-        }
-      });
-  points_.state().zero(lattice, a.theta);
-  elements_.position() = elements_.mesh().reference();
-  std::fill(elements_.velocity().begin(), elements_.velocity().end(), 0.);
-  std::fill(elements_.force().begin(), elements_.force().end(), 0.);
+  points_->rest();
+  elements_.rest();
   lead();
-  points_.update_ghosts();
+  points_->update_ghosts();
 }
 
 void CoupledPlate::blend_forces()
 {
   bond_force_.assign(elements_.force().size(), 0.);
-  slaved_.hand_on(points_.state(), bond_force_);
+  slaved_.hand_on(points_->state(), bond_force_);
   for (std::size_t i = 0; i < 3 * bond_share_.size(); ++i)
   {
     const double share   = bond_share_[i / 3];
@@ -339,26 +338,31 @@ void CoupledPlate::blend_forces()
   }
 }
 
-CoupledPlate::Energies CoupledPlate::energies(const double dt) const
+Energies CoupledPlate::energies(const double dt) const
 {
-  const auto points = points_.energies(dt);
-  const auto nodes  = elements_.energies(dt);
-  return {points.kinetic + nodes.kinetic, points.strain + nodes.strain, nodes.hourglass,
-          points.viscous + nodes.viscous, nodes.absorbed};
+  auto energies = points_->energies(dt);
+  energies += elements_.energies(dt);
+  return energies;
 }
 
-PeridynamicBody::Momenta CoupledPlate::momenta() const
+Momenta CoupledPlate::momenta() const
 {
-  const auto points = points_.momenta();
-  const auto nodes  = elements_.momenta();
-  return {points.linear + nodes.linear, points.angular + nodes.angular};
+  auto momenta = points_->momenta();
+  momenta += elements_.momenta();
+  return momenta;
+}
+
+std::string CoupledPlate::first_not_finite() const
+{
+  const auto found = points_->first_not_finite();
+  return found.empty() ? elements_.first_not_finite() : found;
 }
 
 std::vector<std::vector<double>> CoupledPlate::nodal_histories() const
 {
   constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
   const auto &mesh     = elements_.mesh();
-  const int n_branches = points_.history()->n_branches();
+  const int n_branches = points_->history()->n_branches();
   std::vector<double> weight(elements_.force().size(), 0.);
   std::vector<std::vector<double>> fields(2 * n_branches, weight);
   for (std::size_t e = 0; e < mesh.elements().size(); ++e)
@@ -398,39 +402,40 @@ std::vector<std::vector<double>> CoupledPlate::nodal_histories() const
 bool CoupledPlate::convert(const std::vector<Zone::Cells> &cells)
 {
   std::vector<std::uint8_t> before;
-  zone_.for_each_cell([&](const Zone::Cell &cell)
-                      { before.push_back(static_cast<std::uint8_t>(zone_.layer(cell))); });
-  if (!zone_.grow(cells))
+  zone_->for_each_cell([&](const Zone::Cell &cell)
+                       { before.push_back(static_cast<std::uint8_t>(zone_->layer(cell))); });
+  if (!zone_->grow(cells))
     return false;
-  int first = zone_.n_cells()[0], last = 0;
+  int first = zone_->n_cells()[0], last = 0;
   std::size_t i = 0;
   std::vector<bool> was_free(before.size());
-  zone_.for_each_cell(
+  zone_->for_each_cell(
       [&](const Zone::Cell &cell)
       {
         was_free[i] = before[i] == 0;
-        if (before[i++] != zone_.layer(cell))
+        if (before[i++] != zone_->layer(cell))
         {
           first = std::min(first, cell[0]);
           last  = std::max(last, cell[0] + 1);
         }
       });
-  points_.follow_zone(zone_.points_per_edge() * first, zone_.points_per_edge() * last);
+  points_->follow_zone(zone_->points_per_edge() * first, zone_->points_per_edge() * last);
 
   // All points that did not move by themselves start from where the nodes are.
-  SlavedPoints starting(communicator_, elements_, points_.lattice(),
+  SlavedPoints starting(communicator_, elements_, points_->lattice(),
                         [&](const Zone::Cell &cell) {
-                          return !was_free[zone_.number(cell)] && zone_.layer(cell) < zone_.far();
+                          return !was_free[zone_->number(cell)] &&
+                                 zone_->layer(cell) < zone_->far();
                         });
-  starting.follow(elements_, points_.state());
-  if (points_.history() != nullptr)
+  starting.follow(elements_, points_->state());
+  if (points_->history() != nullptr)
   {
     const auto nodal = nodal_histories();
     PeridynamicBody::TensorFields histories(nodal.size() / 2);
     for (std::size_t k = 0; k < histories.size(); ++k)
     {
       for (auto &field : histories[k])
-        field.assign(points_.lattice().size(), 0.);
+        field.assign(points_->lattice().size(), 0.);
       for (const int half : {0, 1})
       {
         double *const fields[3] = {histories[k][3 * half].data(), histories[k][3 * half + 1].data(),
@@ -438,12 +443,12 @@ bool CoupledPlate::convert(const std::vector<Zone::Cells> &cells)
         starting.interpolate(nodal[2 * k + half], fields);
       }
     }
-    points_.update_ghosts();
-    points_.continue_history(histories);
+    points_->update_ghosts();
+    points_->continue_history(histories);
   }
 
   elements_.set_active([&](const Vector3 &centre)
-                       { return !zone_.is_free(cell_at(points_.lattice(), centre)); });
+                       { return !zone_->is_free(cell_at(points_->lattice(), centre)); });
   join();
   lead();
   return true;

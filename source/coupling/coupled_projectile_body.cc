@@ -313,7 +313,7 @@ void CoupledProjectileBody::strain(PeridynamicBody &points)
           points.state().arrays.position[d][p] = stretch[d] * X[d];
       });
   points.update_ghosts();
-  points.evaluate(/*breaking=*/false, /*energy=*/true);
+  points.compute_internal_forces({/*energy=*/true});
 }
 
 /// `whole`: the same points without elements, in which those of the pad have all their neighbours.
@@ -411,64 +411,5 @@ std::vector<double> CoupledProjectileBody::shares_of(const HexSolid &mesh, const
   for (int i = 0; i < n; ++i)
     shares[columns[i]] = found[i];
   return shares;
-}
-
-void CoupledProjectileBody::lead()
-{
-  if (!elements_)
-    return;
-  auto &a = peridynamic_->state().arrays;
-  for (const int i : slaved_)
-    for (int d = 0; d < 3; ++d)
-    {
-      double x = 0.;
-      for (const auto &[number, weight] : points_[i].follows)
-        x += weight * *mass_points_[number].position[d];
-      a.position[d][index_[i]] = x;
-    }
-}
-
-void CoupledProjectileBody::evaluate(const bool energy)
-{
-  peridynamic_->update_ghosts();
-  peridynamic_->evaluate(/*breaking=*/false, energy);
-  const auto &a = peridynamic_->state().arrays;
-  if (elements_)
-  {
-    elements_->evaluate(energy);
-    for (const int i : slaved_)
-      for (const auto &[number, weight] : points_[i].follows)
-        for (int d = 0; d < 3; ++d)
-          *mass_points_[number].force[d] += weight * a.force[d][index_[i]];
-  }
-  if (!energy)
-    return;
-  stored_ = 0.;
-  for (const auto p : index_)
-    stored_ += a.energy[p];
-  if (elements_)
-  {
-    const auto e = elements_->energies(0.);
-    stored_ += e.strain + e.hourglass;
-  }
-}
-
-void CoupledProjectileBody::advance(const double dt)
-{
-  peridynamic_->advance(dt, dt);
-  if (elements_)
-    elements_->advance(dt, dt);
-  lead();
-}
-
-void CoupledProjectileBody::rest()
-{
-  for (const auto &point : mass_points_)
-    for (int d = 0; d < 3; ++d)
-    {
-      *point.position[d] = point.reference[d];
-      *point.velocity[d] = *point.force[d] = 0.;
-    }
-  lead();
 }
 } // namespace ricochet

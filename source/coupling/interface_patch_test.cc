@@ -62,9 +62,9 @@ public:
         elements.position()[3 * node + d] = x[d] + u[i++];
     }
     plate_.lead();
-    plate_.points().update_ghosts();
-    plate_.points().evaluate(/*breaking=*/false, /*energy=*/false, /*is_step=*/false);
-    plate_.add_forces(/*energy=*/false, /*is_step=*/false);
+    plate_.update_ghosts();
+    plate_.compute_internal_forces({/*energy=*/false, /*is_step=*/false});
+    plate_.hand_on();
 
     std::vector<double> f;
     f.reserve(u.size());

@@ -456,8 +456,9 @@ void FiniteElementBody::update_ghosts()
   }
 }
 
-void FiniteElementBody::evaluate(const bool energy, const bool is_step)
+void FiniteElementBody::compute_internal_forces(const ForceRequest &request)
 {
+  const auto &[energy, is_step] = request;
   past_.clear();
   std::array<std::vector<double>, 4> kept;
   if (relaxes() && !is_step)
@@ -515,7 +516,7 @@ void FiniteElementBody::advance(const double kick, const double drift)
                    static_cast<int64_t>(inverse_mass_.size()), kick, drift);
 }
 
-FiniteElementBody::Energies FiniteElementBody::energies(const double dt) const
+Energies FiniteElementBody::energies(const double dt) const
 {
   std::array<double, 5> sums{};
   const auto kinetic = [&](const int i, const double momentum)
@@ -550,7 +551,13 @@ FiniteElementBody::Energies FiniteElementBody::energies(const double dt) const
     sums[4] += 0.5 * dt * dashpot.coefficient * before * (before + 0.5 * change);
   }
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), 5, MPI_DOUBLE, MPI_SUM, communicator_);
-  return {sums[0], sums[1], sums[2], sums[3], sums[4]};
+  Energies energies;
+  energies.kinetic   = sums[0];
+  energies.strain    = sums[1];
+  energies.hourglass = sums[2];
+  energies.viscous   = sums[3];
+  energies.absorbed  = sums[4];
+  return energies;
 }
 
 double FiniteElementBody::squared_force() const
@@ -566,7 +573,7 @@ double FiniteElementBody::squared_force() const
   return sum;
 }
 
-FiniteElementBody::Momenta FiniteElementBody::momenta() const
+Momenta FiniteElementBody::momenta() const
 {
   // Sums of many numbers, compared to the last bit by those who look for a drift.
   using LongVector = Eigen::Matrix<long double, 3, 1>;

@@ -140,7 +140,7 @@ void HexahedralBody::rest()
   std::fill(force_.begin(), force_.end(), 0.);
 }
 
-void HexahedralBody::evaluate(const bool energy)
+void HexahedralBody::compute_internal_forces(const ForceRequest &request)
 {
   std::fill(force_.begin(), force_.end(), 0.);
   const double mu = material_.shear_modulus, lambda = material_.bulk_modulus - 2. / 3. * mu;
@@ -148,7 +148,7 @@ void HexahedralBody::evaluate(const bool energy)
                          hourglass_energy_.data()};
   const GeneralHexGroup group{blocks_.data(), static_cast<int64_t>(solid_.cells.size()), lambda,
                               mu};
-  (energy ? kernel_->one_point_and_energy : kernel_->one_point)(arrays, group);
+  (request.energy ? kernel_->one_point_and_energy : kernel_->one_point)(arrays, group);
 }
 
 void HexahedralBody::advance(const double kick, const double drift)
@@ -158,9 +158,9 @@ void HexahedralBody::advance(const double kick, const double drift)
                 static_cast<int64_t>(position_.size()), kick, drift);
 }
 
-HexahedralBody::Energies HexahedralBody::energies(const double dt) const
+Energies HexahedralBody::energies(const double dt) const
 {
-  Energies e{0., 0., 0.};
+  Energies e;
   for (int node = 0; node < n_nodes(); ++node)
     for (int i = 3 * node; i < 3 * node + 3; ++i)
       e.kinetic +=
@@ -173,9 +173,9 @@ HexahedralBody::Energies HexahedralBody::energies(const double dt) const
   return e;
 }
 
-FiniteElementBody::Momenta HexahedralBody::momenta() const
+Momenta HexahedralBody::momenta() const
 {
-  FiniteElementBody::Momenta m{Vector3::Zero(), Vector3::Zero()};
+  Momenta m;
   for (int node = 0; node < n_nodes(); ++node)
   {
     const Vector3 p = mass_[node] * at(velocity_, node);

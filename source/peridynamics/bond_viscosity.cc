@@ -83,7 +83,8 @@ void BondViscosity::begin(const LatticeArrays &a)
         [&](const std::ptrdiff_t p)
         {
           for (std::size_t k = 0; k < branches_.size(); ++k)
-            theta_history_[k][p] = next_history(branches_[k], a.theta[p], theta_history_[k][p]);
+            theta_history_[k][p] =
+                next_history(branches_[k], a.theta_before[p], theta_history_[k][p]);
         });
   begun_ = true;
 }

@@ -3,6 +3,7 @@
 
 #include "plane_exchange.h"
 #include "ricochet/base/exceptions.h"
+#include "ricochet/peridynamics/fracture_energy.h"
 #include "ricochet/peridynamics/plane_sums.h"
 
 #include <Eigen/Geometry>
@@ -80,7 +81,10 @@ PeridynamicBody::PeridynamicBody(const MPI_Comm communicator, const int number,
   broken_.resize(kernel_->registers_per_block * initial_bonds_.size());
   set_families();
   find_bond_ranges();
+  fracture_ = std::make_unique<FractureEnergy>(*this, /*mirrored=*/false);
 }
+
+PeridynamicBody::~PeridynamicBody() = default;
 
 void PeridynamicBody::set_families()
 {
@@ -176,7 +180,7 @@ void PeridynamicBody::redistribute(const std::vector<int> &plane_starts)
     planes.move(from.position[d], to.position[d]);
     planes.move(from.velocity[d], to.velocity[d]);
   }
-  planes.move(from.theta, to.theta);
+  planes.move(from.theta_before, to.theta_before);
 
   // A ghost's bonds with other ghosts do not exist here.
   initial_bonds_.assign(to.bonds, to.bonds + lattice.size() / Lattice::block_size * shifts_.size());
@@ -280,68 +284,93 @@ void PeridynamicBody::update_ghosts()
   state_.mirror_motion(lattice_);
 }
 
-void PeridynamicBody::evaluate(const bool breaking, const bool energy, const bool is_step)
+void PeridynamicBody::break_bonds()
+{
+  compute_dilatation(table_);
+  mark_damaged();
+  has_dilatation_ = true;
+}
+
+void PeridynamicBody::book_fracture(const double dt)
+{
+  fracture_->record(dt);
+}
+
+/// Bonds that `table` says to break do so, and the others add up to theta.
+void PeridynamicBody::compute_dilatation(const BondTable &table)
 {
   // Bonds between a ghost and an owned point are visited on both ranks: the sums of owned points
   // are then complete, and made in the same order as on one rank, without sending anything home.
-  auto &a           = state_.arrays;
-  const auto &table = breaking ? table_ : unbreakable_table_;
-
+  auto &a = state_.arrays;
   if (history_)
     history_->begin(a);
-  std::swap(a.theta, a.theta_before);
   state_.zero(lattice_, a.theta);
   n_broken_ = 0;
   for (const auto &range : bond_ranges_)
     n_broken_ += static_cast<std::size_t>(
         kernel_->stretch(a, table, range.first, range.last, broken_.data() + n_broken_));
-  if (material_.law->has_dilatation)
-  {
-    weigh_dilatation();
-    if (history_)
-      history_->close_theta(a, broken_.data(), n_broken_);
-    double *const shared = history_ ? history_->volumetric() : a.theta;
-    halo_.exchange({shared});
-    state_.mirror(lattice_, shared);
-  }
-  for (std::size_t i = 0; i < n_broken_; ++i)
-    for (int lane = 0; lane < Lattice::block_size; ++lane)
-      if ((broken_[i].points >> lane) & 1)
-      {
-        const std::ptrdiff_t p =
-            static_cast<std::ptrdiff_t>(broken_[i].block) * Lattice::block_size + lane;
-        damaged_[p] = damaged_[p + shifts_[broken_[i].offset]] = 1;
-      }
-
-  for (double *f : a.force)
-    state_.zero(lattice_, f);
-  const bool measure = energy || (history_ && history_->measurement_is_due());
-  if (measure)
-    state_.zero(lattice_, a.energy);
-  if (history_)
-  {
-    const auto bonds = history_->bonds(is_step);
-    if (measure)
-      state_.zero(lattice_, bonds.dissipated);
-    const auto relax_with = [&](const auto kernel, const std::vector<Lattice::BlockRange> &ranges)
-    {
-      for (const auto &range : ranges)
-        kernel(a, table, bonds, range.first, range.last);
-    };
-    const auto &k = *kernel_;
-    relax_with(measure ? k.relaxing_force_and_energy : k.relaxing_force, whole_ranges_);
-    relax_with(measure ? k.weighted_relaxing_force_and_energy : k.weighted_relaxing_force,
-               weighted_ranges_);
-    history_->end(a, measure, is_step);
+  if (!material_.law->has_dilatation)
     return;
+  weigh_dilatation();
+  if (history_)
+    history_->close_theta(a, broken_.data(), n_broken_);
+  double *const shared = history_ ? history_->volumetric() : a.theta;
+  halo_.exchange({shared});
+  state_.mirror(lattice_, shared);
+}
+
+void PeridynamicBody::mark_damaged()
+{
+  for_each_newly_broken_bond([&](const std::ptrdiff_t p, const std::ptrdiff_t q, std::size_t)
+                             { damaged_[p] = damaged_[q] = 1; });
+}
+
+void PeridynamicBody::compute_internal_forces(const ForceRequest &request)
+{
+  if (!std::exchange(has_dilatation_, false))
+    compute_dilatation(unbreakable_table_);
+  for (double *f : state_.arrays.force)
+    state_.zero(lattice_, f);
+  if (history_)
+    add_relaxing_forces(request);
+  else
+    add_bond_forces(request.energy);
+}
+
+void PeridynamicBody::add_bond_forces(const bool energy)
+{
+  auto &a = state_.arrays;
+  if (energy)
+    state_.zero(lattice_, a.energy);
+  const auto add_with = [&](const auto kernel, const std::vector<Lattice::BlockRange> &ranges)
+  {
+    for (const auto &range : ranges)
+      kernel(a, table_, range.first, range.last);
+  };
+  add_with(energy ? kernel_->force_and_energy : kernel_->force, whole_ranges_);
+  add_with(energy ? kernel_->weighted_force_and_energy : kernel_->weighted_force, weighted_ranges_);
+}
+
+void PeridynamicBody::add_relaxing_forces(const ForceRequest &request)
+{
+  auto &a            = state_.arrays;
+  const bool measure = request.energy || history_->measurement_is_due();
+  const auto bonds   = history_->bonds(request.is_step);
+  if (measure)
+  {
+    state_.zero(lattice_, a.energy);
+    state_.zero(lattice_, bonds.dissipated);
   }
   const auto add_with = [&](const auto kernel, const std::vector<Lattice::BlockRange> &ranges)
   {
     for (const auto &range : ranges)
-      kernel(a, table, range.first, range.last);
+      kernel(a, table_, bonds, range.first, range.last);
   };
-  add_with(energy ? kernel_->force_and_energy : kernel_->force, whole_ranges_);
-  add_with(energy ? kernel_->weighted_force_and_energy : kernel_->weighted_force, weighted_ranges_);
+  const auto &k = *kernel_;
+  add_with(measure ? k.relaxing_force_and_energy : k.relaxing_force, whole_ranges_);
+  add_with(measure ? k.weighted_relaxing_force_and_energy : k.weighted_relaxing_force,
+           weighted_ranges_);
+  history_->end(a, measure, request.is_step);
 }
 
 /// From theta to w theta.
@@ -360,9 +389,11 @@ void PeridynamicBody::advance(const double kick, const double drift)
 {
   for (const auto &range : lattice_.owned_ranges())
     kernel_->advance(state_.arrays, range.first, range.last, kick / mass_, drift);
+  // A step ends here; looks between steps leave theta_before alone.
+  std::swap(state_.arrays.theta, state_.arrays.theta_before);
 }
 
-PeridynamicBody::Energies PeridynamicBody::energies(const double dt) const
+Energies PeridynamicBody::energies(const double dt) const
 {
   const auto &a = state_.arrays;
   PlaneSums<2> sums(lattice_.box().n[0]);
@@ -379,10 +410,15 @@ PeridynamicBody::Energies PeridynamicBody::energies(const double dt) const
         sum[1] += a.energy[p];
       });
   const auto sum = sums.total(communicator_);
-  return {sum[0], sum[1], history_ ? history_->dissipated(communicator_) : 0.};
+  Energies energies;
+  energies.kinetic  = sum[0];
+  energies.strain   = sum[1];
+  energies.viscous  = history_ ? history_->dissipated(communicator_) : 0.;
+  energies.fracture = fracture_->total(communicator_).energy;
+  return energies;
 }
 
-PeridynamicBody::Momenta PeridynamicBody::momenta() const
+Momenta PeridynamicBody::momenta() const
 {
   const auto &a = state_.arrays;
   PlaneSums<6> sums(lattice_.box().n[0]);
@@ -405,14 +441,53 @@ PeridynamicBody::Momenta PeridynamicBody::momenta() const
   return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}};
 }
 
-std::vector<double> PeridynamicBody::dilatation_history() const
+void PeridynamicBody::rest()
 {
-  return {state_.arrays.theta, state_.arrays.theta + lattice_.size()};
+  auto &a = state_.arrays;
+  lattice_.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        const Vector3 x = lattice_.reference_position(lattice_.coordinates(p));
+        for (int d = 0; d < 3; ++d)
+        {
+          a.position[d][p] = x[d];
+          a.velocity[d][p] = a.force[d][p] = 0.;
+        }
+      });
+  update_ghosts();
+  state_.zero(lattice_, a.theta);
+  state_.zero(lattice_, a.theta_before);
 }
 
-void PeridynamicBody::restore_dilatation(const std::vector<double> &history)
+std::string PeridynamicBody::first_not_finite() const
 {
-  std::copy(history.begin(), history.end(), state_.arrays.theta);
+  const auto &a = state_.arrays;
+  const std::array<std::pair<const char *, double *const *>, 3> fields{
+      {{"position", a.position}, {"velocity", a.velocity}, {"force", a.force}}};
+  // A sum that is finite has finite terms, and needs no branches.
+  double sum = 0.;
+  for (const auto &range : lattice_.owned_ranges())
+    for (const auto &[name, field] : fields)
+      for (int d = 0; d < 3; ++d)
+        for (std::ptrdiff_t p = range.first * Lattice::block_size;
+             p < range.last * Lattice::block_size; ++p)
+          sum += 0. * field[d][p];
+  std::string found;
+  if (sum == 0.)
+    return found;
+  lattice_.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        for (const auto &[name, field] : fields)
+          if (found.empty() && !Vector3(field[0][p], field[1][p], field[2][p]).allFinite())
+          {
+            const auto c = lattice_.coordinates(p);
+            std::ostringstream text;
+            text << "The " << name << " of point (" << c[0] << ", " << c[1] << ", " << c[2] << ")";
+            found = text.str();
+          }
+      });
+  return found;
 }
 
 int PeridynamicBody::family_size(const std::ptrdiff_t index, const std::uint8_t *bonds) const
@@ -434,6 +509,11 @@ double PeridynamicBody::count_bonds() const
                           { ends += family_size(p, state_.arrays.bonds); });
   MPI_Allreduce(MPI_IN_PLACE, &ends, 1, MPI_DOUBLE, MPI_SUM, communicator_);
   return ends / 2.;
+}
+
+double PeridynamicBody::n_broken_bonds() const
+{
+  return multiplicity() * fracture_->total(communicator_).n_bonds;
 }
 
 double PeridynamicBody::count_sound_bonds() const

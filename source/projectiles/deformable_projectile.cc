@@ -101,10 +101,16 @@ std::pair<Vector3, Vector3> DeformableProjectile::bounding_box() const
   return box;
 }
 
-Projectile::Reaction DeformableProjectile::touch(const std::size_t plate, PeridynamicBody &points)
+void DeformableProjectile::compute_internal_forces(const ForceRequest &request)
+{
+  deformed().compute_internal_forces(request);
+}
+
+Projectile::Reaction DeformableProjectile::add_contact_forces(const std::size_t plate,
+                                                              PeridynamicBody &points)
 {
   const auto reaction = contacts_[plate].evaluate(nodes(), surface_, motion_.position, points);
-  receive();
+  distribute_surface_forces();
   return reaction;
 }
 
@@ -118,11 +124,12 @@ double DeformableProjectile::friction_power()
   return power;
 }
 
-void DeformableProjectile::advance(const Reaction &, const double dt)
+void DeformableProjectile::advance(const double kick, const double drift)
 {
   const double before = friction_power();
-  move(dt);
-  work_ += multiplicity_ * 0.5 * dt * (before + friction_power());
+  deformed().advance(kick, drift);
+  update_surface();
+  work_ += multiplicity_ * 0.5 * kick * (before + friction_power());
   follow();
 }
 

@@ -8,6 +8,9 @@
 
 namespace ricochet
 {
+/// Elements of a projectile differ in size, so its power iteration takes its time.
+constexpr int n_power_iterations = 60;
+
 class DeformableProjectile : public Projectile
 {
 public:
@@ -15,10 +18,19 @@ public:
   std::pair<Vector3, Vector3> bounding_box() const override;
   SurfaceFrame surface() const override;
 
-  Reaction touch(std::size_t plate, PeridynamicBody &points) override;
-  void advance(const Reaction &reaction, double dt) override;
+  Reaction add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
   void record_work(std::size_t plate, const PeridynamicBody &points, double dt) override;
   double friction_work() const override;
+
+  double multiplicity() const override { return multiplicity_; }
+  void update_ghosts() override { deformed().update_ghosts(); }
+  void compute_internal_forces(const ForceRequest &request) override;
+  void complete_forces() override { deformed().complete_forces(); }
+  void advance(double kick, double drift) override;
+  Energies energies(const double dt) const override { return deformed().energies(dt); }
+  Momenta momenta() const override { return deformed().momenta(); }
+  std::unique_ptr<Vibration> vibration() override { return deformed().vibration(); }
+  std::string first_not_finite() const override { return deformed().first_not_finite(); }
 
 protected:
   /// `nodes` and `faces` of the surface in the reference configuration, in body axes.
@@ -31,14 +43,15 @@ protected:
   /// Contact stiffness that a node of the surface sees: that of the points which lie on its share
   /// of the surface, of one at least [N/m].
   double contact_stiffness(std::size_t node) const { return stiffness_[node]; }
-  double multiplicity() const { return multiplicity_; }
 
 private:
-  virtual SurfaceNodes nodes() = 0;
-  /// Hands the forces on the surface's nodes on to the body.
-  virtual void receive() {}
-  /// Kick and drift of the body and its surface.
-  virtual void move(double dt)          = 0;
+  virtual Body &deformed()             = 0;
+  virtual const Body &deformed() const = 0;
+  virtual SurfaceNodes nodes()         = 0;
+  /// The forces on the surface's nodes go to the body.
+  virtual void distribute_surface_forces() {}
+  /// The surface follows the body.
+  virtual void update_surface() {}
   virtual Motion nearest_motion() const = 0;
 
   void follow();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "finite_element_projectile.h"
 
-#include "ricochet/dynamics/elastic_body_time_step.h"
+#include "ricochet/dynamics/largest_frequency.h"
 
 #include <algorithm>
 
@@ -29,24 +29,10 @@ FiniteElementProjectile::FiniteElementProjectile(const MPI_Comm communicator, co
   double contact = 0.; // largest squared frequency of a node on the plates' springs
   for (int node = 0; node < elastic_.n_nodes(); ++node)
     contact = std::max(contact, contact_stiffness(node) / elastic_.node_mass(node));
-  const auto estimate = estimate_largest_frequency(elastic_);
+  const auto estimate = largest_frequency(MPI_COMM_SELF, elastic_, n_power_iterations);
   squared_frequency_  = estimate.squared_frequency + contact;
   seconds_per_step_   = estimate.seconds_per_force;
   elastic_.set_motion(start);
   begin_motion();
-}
-
-Projectile::Energies FiniteElementProjectile::energies(const Reaction &, const double dt) const
-{
-  const auto e = elastic_.energies(dt);
-  return {multiplicity() * e.kinetic, multiplicity() * (e.strain + e.hourglass)};
-}
-
-Projectile::Momenta FiniteElementProjectile::momenta() const
-{
-  const auto m = elastic_.momenta();
-  if (multiplicity() == 1.)
-    return {m.linear, m.angular};
-  return {2. * Vector3(m.linear.x(), 0., m.linear.z()), 2. * Vector3(0., m.angular.y(), 0.)};
 }
 } // namespace ricochet

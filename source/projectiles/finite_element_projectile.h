@@ -14,10 +14,6 @@ public:
                           const Motion &start, const FrictionLaw &law,
                           const std::vector<PlateContact> &plates);
 
-  void begin(bool energy) override { elastic_.evaluate(energy); }
-  Energies energies(const Reaction &reaction, double dt) const override;
-  Momenta momenta() const override;
-
   double squared_frequency() const override { return squared_frequency_; }
   std::string parts() const override
   {
@@ -28,8 +24,9 @@ public:
   const HexahedralBody &elastic() const { return elastic_; }
 
 private:
+  Body &deformed() override { return elastic_; }
+  const Body &deformed() const override { return elastic_; }
   SurfaceNodes nodes() override { return elastic_; }
-  void move(double dt) override { elastic_.advance(dt, dt); }
   Motion nearest_motion() const override { return elastic_.rigid_motion(); }
 
   HexahedralBody elastic_;

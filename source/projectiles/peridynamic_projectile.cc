@@ -3,7 +3,7 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/bodies/nearest_rigid_motion.h"
-#include "ricochet/dynamics/coupled_body_time_step.h"
+#include "ricochet/dynamics/largest_frequency.h"
 
 #include <Eigen/Dense>
 
@@ -79,7 +79,7 @@ PeridynamicProjectile::PeridynamicProjectile(const MPI_Comm communicator, const 
   double contact = 0.;
   for (std::size_t i = 0; i < column.size(); ++i)
     contact = std::max(contact, column[i] / mass_points[i].mass);
-  const auto estimate = estimate_largest_frequency(*body_);
+  const auto estimate = largest_frequency(MPI_COMM_SELF, *body_, n_power_iterations);
   squared_frequency_  = estimate.squared_frequency + contact;
   seconds_per_step_   = estimate.seconds_per_force;
   place(start);
@@ -172,10 +172,10 @@ void PeridynamicProjectile::place(const Motion &start)
     }
   }
   body_->lead();
-  pull_skin();
+  update_surface();
 }
 
-void PeridynamicProjectile::pull_skin()
+void PeridynamicProjectile::update_surface()
 {
   std::fill(skin_position_.begin(), skin_position_.end(), 0.);
   std::fill(skin_velocity_.begin(), skin_velocity_.end(), 0.);
@@ -189,13 +189,13 @@ void PeridynamicProjectile::pull_skin()
     }
 }
 
-void PeridynamicProjectile::begin(const bool energy)
+void PeridynamicProjectile::compute_internal_forces(const ForceRequest &request)
 {
-  body_->evaluate(energy);
+  body_->compute_internal_forces(request);
   std::fill(skin_force_.begin(), skin_force_.end(), 0.);
 }
 
-void PeridynamicProjectile::receive()
+void PeridynamicProjectile::distribute_surface_forces()
 {
   for (const auto &support : skin_)
     for (int d = 0; d < 3; ++d)
@@ -205,12 +205,6 @@ void PeridynamicProjectile::receive()
           weight * skin_force_[3 * support.node + d];
     }
   std::fill(skin_force_.begin(), skin_force_.end(), 0.);
-}
-
-void PeridynamicProjectile::move(const double dt)
-{
-  body_->advance(dt);
-  pull_skin();
 }
 
 Projectile::Motion PeridynamicProjectile::nearest_motion() const
@@ -228,30 +222,5 @@ Projectile::Motion PeridynamicProjectile::nearest_motion() const
     }
   }
   return nearest_rigid_motion(mass, reference, position, velocity, mirrored_);
-}
-
-Projectile::Energies PeridynamicProjectile::energies(const Reaction &, const double dt) const
-{
-  Energies e{0., multiplicity() * body_->stored_energy()};
-  for (const auto &point : body_->mass_points())
-    for (int d = 0; d < 3; ++d)
-      e.kinetic += multiplicity() * 0.5 * *point.velocity[d] *
-                   (point.mass * *point.velocity[d] + dt * *point.force[d]);
-  return e;
-}
-
-Projectile::Momenta PeridynamicProjectile::momenta() const
-{
-  Momenta m{Vector3::Zero(), Vector3::Zero()};
-  for (const auto &point : body_->mass_points())
-  {
-    const Vector3 x(*point.position[0], *point.position[1], *point.position[2]),
-        v(*point.velocity[0], *point.velocity[1], *point.velocity[2]);
-    m.linear += point.mass * v;
-    m.angular += point.mass * x.cross(v);
-  }
-  if (mirrored_)
-    m = {2. * Vector3(m.linear.x(), 0., m.linear.z()), 2. * Vector3(0., m.angular.y(), 0.)};
-  return m;
 }
 } // namespace ricochet

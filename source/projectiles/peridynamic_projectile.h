@@ -22,9 +22,7 @@ public:
                         const Motion &start, const FrictionLaw &law,
                         const std::vector<PlateContact> &plates);
 
-  void begin(bool energy) override;
-  Energies energies(const Reaction &reaction, double dt) const override;
-  Momenta momenta() const override;
+  void compute_internal_forces(const ForceRequest &request) override;
 
   double squared_frequency() const override { return squared_frequency_; }
   std::string parts() const override;
@@ -39,14 +37,15 @@ private:
     double weight; // [-]
   };
 
+  Body &deformed() override { return *body_; }
+  const Body &deformed() const override { return *body_; }
   SurfaceNodes nodes() override { return {skin_position_, skin_velocity_, skin_force_}; }
-  void receive() override;
-  void move(double dt) override;
+  void distribute_surface_forces() override;
+  void update_surface() override;
   Motion nearest_motion() const override;
 
   void build_skin(const std::vector<Vector3> &nodes, const std::vector<int> &mesh_nodes);
   void place(const Motion &start);
-  void pull_skin();
 
   bool mirrored_;
   std::unique_ptr<CoupledProjectileBody> body_; // whole on every rank

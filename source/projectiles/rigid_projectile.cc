@@ -16,19 +16,22 @@ RigidProjectile::RigidProjectile(const MPI_Comm communicator, const Scene &scene
     contacts_.emplace_back(communicator, law, plate.parameters, scene.symmetric, plate.n_planes);
 }
 
-Projectile::Reaction RigidProjectile::touch(const std::size_t plate, PeridynamicBody &points)
+Projectile::Reaction RigidProjectile::add_contact_forces(const std::size_t plate,
+                                                         PeridynamicBody &points)
 {
-  return contacts_[plate].evaluate(rigid_, points);
+  const auto reaction = contacts_[plate].evaluate(rigid_, points);
+  load_ += reaction;
+  return reaction;
 }
 
-void RigidProjectile::advance(const Reaction &reaction, const double dt)
+void RigidProjectile::advance(const double kick, const double drift)
 {
   const Vector3 velocity = rigid_.motion().velocity, spin = rigid_.motion().spin;
-  rigid_.advance(reaction.force(), reaction.moment, dt, dt);
+  rigid_.advance(load_.force(), load_.moment, kick, drift);
   const auto &after = rigid_.motion();
-  work_ += 0.5 * dt *
-           ((reaction.friction + reaction.shank).dot(velocity + after.velocity) +
-            reaction.friction_moment.dot(spin + after.spin));
+  work_ += 0.5 * kick *
+           ((load_.friction + load_.shank).dot(velocity + after.velocity) +
+            load_.friction_moment.dot(spin + after.spin));
 }
 
 void RigidProjectile::record_work(const std::size_t plate, const PeridynamicBody &points,
@@ -37,20 +40,26 @@ void RigidProjectile::record_work(const std::size_t plate, const PeridynamicBody
   contacts_[plate].record_work(points, dt);
 }
 
-Projectile::Energies RigidProjectile::energies(const Reaction &reaction, const double dt) const
+Energies RigidProjectile::energies(const double dt) const
 {
   // v- . v+ instead of v . v: for a linear system the leapfrog scheme conserves this sum exactly.
   const auto &motion  = rigid_.motion();
-  const Vector3 after = motion.velocity + dt / mass() * reaction.force();
-  return {0.5 * mass() * motion.velocity.dot(after) +
-              0.5 * motion.spin.dot(rigid_.angular_momentum() + dt * reaction.moment),
-          0.};
+  const Vector3 after = motion.velocity + dt / mass() * load_.force();
+  Energies energies;
+  energies.kinetic = 0.5 * mass() * motion.velocity.dot(after) +
+                     0.5 * motion.spin.dot(rigid_.angular_momentum() + dt * load_.moment);
+  return energies;
 }
 
-Projectile::Momenta RigidProjectile::momenta() const
+Momenta RigidProjectile::momenta() const
 {
   const Vector3 p = mass() * rigid_.motion().velocity;
   return {p, rigid_.motion().position.cross(p) + rigid_.angular_momentum()};
+}
+
+std::string RigidProjectile::first_not_finite() const
+{
+  return rigid_.motion().position.allFinite() ? "" : "The position of the projectile";
 }
 
 double RigidProjectile::friction_work() const

@@ -16,14 +16,18 @@ public:
   std::pair<Vector3, Vector3> bounding_box() const override { return rigid_.bounding_box(); }
   SurfaceFrame surface() const override;
 
-  void begin(bool) override {}
-  Reaction touch(std::size_t plate, PeridynamicBody &points) override;
-  void advance(const Reaction &reaction, double dt) override;
+  Reaction add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
   void record_work(std::size_t plate, const PeridynamicBody &points, double dt) override;
-
-  Energies energies(const Reaction &reaction, double dt) const override;
-  Momenta momenta() const override;
   double friction_work() const override;
+
+  double multiplicity() const override { return 1.; } // whole, also with a symmetry plane
+  /// There are none: forgets the load of the step before.
+  void compute_internal_forces(const ForceRequest &) override { load_ = {}; }
+  void advance(double kick, double drift) override;
+  Energies energies(double dt) const override;
+  Momenta momenta() const override;
+  std::unique_ptr<Vibration> vibration() override { return nullptr; }
+  std::string first_not_finite() const override;
 
   double squared_frequency() const override { return 0.; }
   std::string parts() const override { return ""; }
@@ -32,6 +36,7 @@ public:
 private:
   RigidBody rigid_;
   std::vector<RigidContact> contacts_; // per plate
+  Reaction load_;                      // of all plates
   double work_ = 0.;                   // of friction on the body [J]
 };
 } // namespace ricochet

@@ -2,7 +2,7 @@
 #include "ricochet/simulation/interface_report.h"
 
 #include "ricochet/base/units.h"
-#include "ricochet/dynamics/dispersion.h"
+#include "ricochet/coupling/dispersion.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +18,7 @@ double seconds_of_points(PeridynamicBody &points)
   constexpr int n_repeats = 10;
   const auto start        = std::chrono::steady_clock::now();
   for (int i = 0; i < n_repeats; ++i)
-    points.evaluate(/*breaking=*/false, /*energy=*/false, /*is_step=*/false);
+    points.compute_internal_forces({/*energy=*/false, /*is_step=*/false});
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
          n_repeats;
 }
@@ -33,20 +33,19 @@ std::vector<InterfaceReport> interface_reports(const MPI_Comm communicator, Simu
                                                const double residual_left)
 {
   std::vector<InterfaceReport> reports;
-  for (std::size_t i = 0; i < simulation.coupled_plates().size(); ++i)
+  for (std::size_t i = 0; i < simulation.n_plates(); ++i)
   {
-    const auto &far = simulation.coupled_plates()[i];
+    auto *const far = simulation.coupled_plate(i);
     if (!far || far->zone().n_slaved_cells() == 0)
       continue;
     InterfaceReport report{};
-    report.plate         = i;
-    report.patch         = patch_test(communicator, *far, /*most_iterations=*/200, residual_left);
-    const auto &estimate = simulation.frequencies()[i];
-    report.frequency     = std::sqrt(estimate.squared_frequency);
-    report.step_limit    = 2. / report.frequency;
-    report.predicted_limit =
-        predicted_time_step(far->points(), &simulation.zones()[i].options).step();
-    report.time_step = simulation.dt();
+    report.plate           = i;
+    report.patch           = patch_test(communicator, *far, /*most_iterations=*/200, residual_left);
+    const auto &estimate   = simulation.frequencies()[i];
+    report.frequency       = std::sqrt(estimate.squared_frequency);
+    report.step_limit      = 2. / report.frequency;
+    report.predicted_limit = predicted_time_step(far->points(), &far->options()).step();
+    report.time_step       = simulation.dt();
     report.share_of_volume =
         double(far->zone().n_free_cells()) / static_cast<double>(far->zone().n_cells_in_all());
     report.seconds_per_force = estimate.seconds_per_force;

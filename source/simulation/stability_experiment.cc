@@ -2,8 +2,8 @@
 #include "ricochet/simulation/stability_experiment.h"
 
 #include "ricochet/base/units.h"
-#include "ricochet/dynamics/coupled_time_step.h"
-#include "ricochet/dynamics/dispersion.h"
+#include "ricochet/coupling/dispersion.h"
+#include "ricochet/dynamics/largest_frequency.h"
 #include "ricochet/materials/bond_laws.h"
 
 #include <algorithm>
@@ -62,9 +62,9 @@ public:
     const int layers  = make_zone({1, 1, 1}, stencil, parameters.coupling).slaved_layers();
     const int outside = layers + parameters.margin / n, inside = 2 * parameters.half_width / n;
     const int n_cells = inside + 2 * outside;
-    zone_             = std::make_unique<Zone>(
+    auto zone         = std::make_unique<Zone>(
         make_zone({n_cells, n_cells, n_cells}, stencil, parameters.coupling));
-    zone_->grow(
+    zone->grow(
         {{{outside, outside, outside}, {outside + inside, outside + inside, outside + inside}}});
 
     const double E = parameters.youngs_modulus, nu = parameters.poisson_ratio;
@@ -74,12 +74,15 @@ public:
                                        mu, std::numeric_limits<double>::infinity()};
     const Lattice::Box box{
         Vector3::Zero(), parameters.spacing, {n * n_cells, n * n_cells, n * n_cells}, false};
-    points_             = std::make_unique<PeridynamicBody>(communicator, 0, box, stencil, material,
-                                                Lattice::Mask{}, nullptr, zone_.get());
+    auto points         = std::make_unique<PeridynamicBody>(communicator, 0, box, stencil, material,
+                                                    Lattice::Mask{}, nullptr, zone.get());
+    zone_               = zone.get();
+    points_             = points.get();
     options_.coupling   = parameters.coupling;
     options_.quadrature = parameters.full_quadrature ? Quadrature::full : Quadrature::one_point;
     options_.hourglass_coefficient = parameters.hourglass_coefficient;
-    far_                = std::make_unique<CoupledPlate>(communicator, *points_, *zone_, options_);
+    far_ =
+        std::make_unique<CoupledPlate>(communicator, std::move(zone), std::move(points), options_);
     const auto &lattice = points_->lattice();
     lattice.for_each_owned(
         [&](const std::ptrdiff_t p)
@@ -93,8 +96,8 @@ public:
   double predicted_step() const { return predicted_time_step(*points_, &options_).step(); }
   double measured_step()
   {
-    return 2. / std::sqrt(estimate_largest_frequency(communicator_, *far_, n_power_iterations)
-                              .squared_frequency);
+    return 2. /
+           std::sqrt(largest_frequency(communicator_, *far_, n_power_iterations).squared_frequency);
   }
 
   void excite()
@@ -129,17 +132,12 @@ public:
 
   void evaluate(const bool energy)
   {
-    points_->update_ghosts();
-    points_->evaluate(/*breaking=*/false, energy);
-    far_->evaluate(energy);
+    far_->update_ghosts();
+    far_->compute_internal_forces({energy});
+    far_->complete_forces();
   }
 
-  void advance(const double dt)
-  {
-    points_->advance(dt, dt);
-    far_->advance(dt, dt);
-    far_->lead();
-  }
+  void advance(const double dt) { far_->advance(dt, dt); }
 
   /// 1/2 m v^2 with lumped masses; a measure, also where the scheme conserves nothing [J].
   double kinetic_energy() const
@@ -183,7 +181,7 @@ public:
     return std::sqrt(sum(total) / sum(n));
   }
 
-  double energy(const double dt) const { return far_->energies(dt).total(); }
+  double energy(const double dt) const { return far_->energies(dt).held(); }
   std::int64_t n_points() const { return static_cast<std::int64_t>(sum(double(free_.size()))); }
   std::int64_t n_elements() const
   {
@@ -200,9 +198,9 @@ private:
   MPI_Comm communicator_;
   StabilityParameters parameters_;
   CoupledPlateOptions options_;
-  std::unique_ptr<Zone> zone_;
-  std::unique_ptr<PeridynamicBody> points_;
   std::unique_ptr<CoupledPlate> far_;
+  const Zone *zone_;        // of the plate
+  PeridynamicBody *points_; // likewise
   std::vector<std::ptrdiff_t> free_;
   double wave_speed_; // c_P [m/s]
 };

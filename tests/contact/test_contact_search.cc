@@ -208,7 +208,8 @@ double expect_all_contacts(const Bodies &bodies, ShortRangeContact &debris, cons
     for (const auto &body : bodies)
     {
       body->update_ghosts();
-      body->evaluate(/*breaking=*/true, /*energy=*/false);
+      body->break_bonds();
+      body->compute_internal_forces({false});
       before.emplace_back(body->lattice().size(), Vector3::Zero());
       for_each_point(*body,
                      [&](const std::ptrdiff_t p)
@@ -217,7 +218,7 @@ double expect_all_contacts(const Bodies &bodies, ShortRangeContact &debris, cons
                        set(body->state().arrays.force, p, Vector3::Zero());
                      });
     }
-    debris.evaluate(dt);
+    debris.add_forces(dt);
     const auto reference = reference_forces(bodies, mirrored);
     EXPECT_EQ(debris.n_touching(), reference.n_touching) << "step " << step;
     most_touching      = std::max(most_touching, reference.n_touching);
@@ -240,7 +241,8 @@ double expect_all_contacts(const Bodies &bodies, ShortRangeContact &debris, cons
 TEST_P(ContactSearches, NoContactIsEverMissed)
 {
   const auto bodies = colliding_bodies(GetParam());
-  ShortRangeContact debris(MPI_COMM_WORLD, bodies, factor, GetParam().mirrored, GetParam().search);
+  ShortRangeContact debris(MPI_COMM_WORLD, pointers(bodies), factor, GetParam().mirrored,
+                           GetParam().search);
   // A tenth of a spacing per step for the fastest.
   const int n_steps = 120;
   EXPECT_GT(expect_all_contacts(bodies, debris, GetParam().mirrored, 0.05e-6, n_steps), 100.);
@@ -286,7 +288,8 @@ TEST_P(ContactSearches, FragmentIsFeltBySoundMaterialFarFromAllDamage)
                          dx * Vector3(50.3 + c[0], side * (c[1] + 5.7) * 0.5, 7.2 + c[2]));
                      set(a.velocity, p, Vector3(100., 0., -1500.));
                    });
-    ShortRangeContact debris(MPI_COMM_WORLD, bodies, factor, collision.mirrored, collision.search);
+    ShortRangeContact debris(MPI_COMM_WORLD, pointers(bodies), factor, collision.mirrored,
+                             collision.search);
     EXPECT_GT(expect_all_contacts(bodies, debris, collision.mirrored, 0.05e-6, 60), 3.);
   }
 }
@@ -303,7 +306,7 @@ TEST(ContactSearch, RunsDoNotDependOnTheMethod)
       Simulation simulation(MPI_COMM_WORLD, variant);
       for (int step = 0; step < 100; ++step)
       {
-        simulation.evaluate(/*energy=*/step == 99);
+        simulation.compute_forces(/*energy=*/step == 99);
         if (step < 99)
           simulation.advance();
       }
@@ -322,7 +325,7 @@ TEST(ContactSearch, NumbersTellNeighboursAndPlaces)
 {
   Collision collision{"linked cells", true, 2};
   const auto bodies = colliding_bodies(collision);
-  const ContactNumbering numbering(bodies);
+  const ContactNumbering numbering(pointers(bodies));
   const auto &stencil = bodies[1]->lattice().stencil();
   const int reach     = stencil.reach + 1;
   const auto &n       = bodies[1]->lattice().box().n;
@@ -364,7 +367,7 @@ TEST(ContactSearch, UnknownNameShowsTheMenu)
   const auto bodies = colliding_bodies(collision);
   try
   {
-    ShortRangeContact debris(MPI_COMM_WORLD, bodies, 1., false, "octree");
+    ShortRangeContact debris(MPI_COMM_WORLD, pointers(bodies), 1., false, "octree");
     FAIL() << "no error";
   }
   catch (const InputError &error)

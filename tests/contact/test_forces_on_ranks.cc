@@ -69,7 +69,8 @@ Result cloud_forces(const MPI_Comm communicator, const Setup &setup)
   ShortRangeContact::Friction friction;
   if (setup.friction)
     friction = {&law, 1., 5.};
-  ShortRangeContact debris(communicator, bodies, 1., setup.mirrored, "linked cells", friction);
+  ShortRangeContact debris(communicator, pointers(bodies), 1., setup.mirrored, "linked cells",
+                           friction);
   for (const int seed : {67, 71})
   {
     for (const auto &body : bodies)
@@ -95,9 +96,10 @@ Result cloud_forces(const MPI_Comm communicator, const Setup &setup)
     for (const auto &body : bodies)
     {
       body->update_ghosts();
-      body->evaluate(/*breaking=*/true, /*energy=*/true);
+      body->break_bonds();
+      body->compute_internal_forces({true});
     }
-    debris.evaluate(1e-9);
+    debris.add_forces(1e-9);
   }
   Result result;
   for (const auto &body : bodies)

@@ -45,9 +45,9 @@ public:
   double energy()
   {
     plate_.points->update_ghosts();
-    plate_.points->evaluate(false, true);
-    plate_.far->evaluate(true);
-    return plate_.far->energies(dt).total();
+    plate_.far->compute_internal_forces({true});
+    plate_.far->complete_forces();
+    return plate_.far->energies(dt).held();
   }
 
   /// Converts the cells x_low <= x < x_high of the column; change of the energy in parts of what

@@ -29,7 +29,7 @@ Record run(const MPI_Comm communicator, const Scene &scene, const int n_steps)
   bool intact = true;
   for (int step = 0; step <= n_steps; ++step)
   {
-    simulation.evaluate(/*energy=*/true);
+    simulation.compute_forces(/*energy=*/true);
     intact = intact && simulation.broken_bonds() == 0.;
     if (intact)
     {
@@ -49,9 +49,10 @@ Record run(const MPI_Comm communicator, const Scene &scene, const int n_steps)
   }
   record.broken   = simulation.broken_bonds();
   record.velocity = simulation.projectile().motion().velocity;
-  record.conversions.push_back(double(simulation.adaptive_zones()[0]->n_conversions()));
-  record.conversions.push_back(double(simulation.zones()[0].zone->n_free_cells()));
-  record.redistributions = simulation.adaptive_zones()[0]->n_redistributions();
+  record.conversions.push_back(
+      double(simulation.coupled_plate(0)->adaptive_zone().n_conversions()));
+  record.conversions.push_back(double(simulation.coupled_plate(0)->zone().n_free_cells()));
+  record.redistributions = simulation.coupled_plate(0)->adaptive_zone().n_redistributions();
   return record;
 }
 

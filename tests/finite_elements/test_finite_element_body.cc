@@ -219,7 +219,7 @@ TEST_P(FiniteElementBody, HalfABodyWithAMirrorPlaneMovesLikeTheWhole)
     {
       body->advance(step == 0 ? 0.5 * dt : dt, dt);
       body->update_ghosts();
-      body->evaluate(true);
+      body->compute_internal_forces({true});
     }
   }
   std::map<std::array<long, 3>, Vector3> there;
@@ -284,7 +284,7 @@ TEST(FiniteElementBody, OwnTensorsOfTheMaterialEqualFullQuadrature)
 
   // Taken back, nothing remains of them.
   own->set_stiffness({});
-  own->evaluate(true);
+  own->compute_internal_forces({true});
   EXPECT_EQ(own->force(), full->force());
 }
 

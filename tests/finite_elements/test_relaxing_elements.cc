@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "dynamics/finite_element_time_step.h"
 #include "ricochet/base/exceptions.h"
+#include "ricochet/dynamics/largest_frequency.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
 #include "support/element_body.h"
 
@@ -291,7 +291,7 @@ TEST_P(RelaxingElement, UniaxialStrainAtAnyRateFollowsThePronySeries)
         set(body->position(), node, Vector3(F * X.x(), X.y(), X.z()));
       }
       body->update_ghosts();
-      body->evaluate(false);
+      body->compute_internal_forces({false});
       if (i % (n / 20) != 0)
         continue;
       const double held  = held_strain(pmma_series, rate, i * dt);
@@ -317,7 +317,7 @@ TEST_P(RelaxingElement, HeldStrainRelaxesLikeThePronySeries)
       set(body->position(), node, Vector3(std::sqrt(1. + 2. * strain) * X.x(), X.y(), X.z()));
     }
     body->update_ghosts();
-    body->evaluate(false);
+    body->compute_internal_forces({false});
   };
   for (int i = 1; i <= 1000; ++i)
   {
@@ -351,7 +351,7 @@ TEST_P(RelaxingElement, ClosedLoopDissipatesTheAnalyticWork)
       set(body->position(), node, X + Vector3(shear * X.y(), 0., 0.));
     }
     body->update_ghosts();
-    body->evaluate(false);
+    body->compute_internal_forces({false});
     if (i == 39 * n)
       before = body->energies(period / n).viscous;
   }
@@ -381,7 +381,7 @@ TEST_P(RelaxingElement, SwingingBodyKeepsItsEnergyToTheLastJoule)
   {
     body->advance(step == 0 ? 0.5 * dt : dt, dt);
     body->update_ghosts();
-    body->evaluate(true);
+    body->compute_internal_forces({true});
     const auto e       = body->energies(dt);
     const double total = e.kinetic + e.strain + e.hourglass + e.viscous;
     if (step == 0)
@@ -462,7 +462,7 @@ TEST(RelaxingElements, BondsTakeOverWhereElementsStop)
   for (int i = 0; i < 60; ++i)
   {
     // The force on the left half of a column in the middle is the traction on its cut.
-    bonds.evaluate(false, false);
+    bonds.compute_internal_forces({false});
     Vector3 traction = Vector3::Zero();
     for (int x = 0; x < 5; ++x)
       for (int d = 0; d < 3; ++d)

@@ -148,7 +148,7 @@ TEST_P(BondLawInvariant, ForceIsMinusTheGradientOfTheEnergy)
           for (const int side : {0, 1})
           {
             x[d][p] = at_p + (side ? h : -h);
-            body->evaluate(/*breaking=*/false, /*energy=*/true);
+            body->compute_internal_forces({true});
             difference[side] = strain_energy(*body);
           }
           x[d][p] = at_p;
@@ -184,7 +184,7 @@ TEST_P(BondLawInvariant, MirrorImageHasMirroredForces)
     for_each_point(*image, [&](const std::ptrdiff_t p)
                    { set(image->state().arrays.position, p, reflect(position(*body, twin(p)))); });
     image->update_ghosts();
-    image->evaluate(false, true);
+    image->compute_internal_forces({true});
     double error = 0.;
     for_each_point(
         *image, [&](const std::ptrdiff_t p)
@@ -244,7 +244,8 @@ TEST_P(BondLawInvariant, BreakingIsTestedAlikeFromBothEnds)
   for_each_point(*inverted, [&](const std::ptrdiff_t p)
                  { set(inverted->state().arrays.position, p, -position(*body, twin(p))); });
   inverted->update_ghosts();
-  inverted->evaluate(/*breaking=*/true, true);
+  inverted->break_bonds();
+  inverted->compute_internal_forces({true});
 
   int n_intact = 0, n_broken = 0;
   const auto &offsets = l.stencil().offsets;

@@ -84,7 +84,7 @@ TEST_P(GeneralHexKernelOn, ForceIsMinusTheGradientOfTheEnergyAndHasNoNetMoment)
     x += 0.02e-3 * random.uniform();
   const auto energy = [&]
   {
-    body.evaluate(true);
+    body.compute_internal_forces({true});
     const auto e = body.energies(0.);
     return e.strain + e.hourglass;
   };
@@ -121,7 +121,7 @@ TEST_P(GeneralHexKernelOn, IsTheOnePointElementOnCubes)
   Random random(5);
   for (double &x : body.position())
     x += 0.05 * h * random.uniform();
-  body.evaluate(true);
+  body.compute_internal_forces({true});
 
   HexBlock cube{};
   for (int lane = 0; lane < 8; ++lane)

@@ -123,7 +123,8 @@ TEST_P(LatticeKernel, AgreesWithTheFamilyByFamilyReference)
     oracle.break_bonds(critical_stretch);
     oracle.evaluate();
     body->update_ghosts();
-    body->evaluate(/*breaking=*/true, /*energy=*/true);
+    body->break_bonds();
+    body->compute_internal_forces({true});
 
     double force_scale = 0., energy_scale = 0., theta_scale = 0.;
     for (int i = 0; i < n; ++i)
@@ -147,7 +148,8 @@ TEST_P(LatticeKernel, AgreesWithTheFamilyByFamilyReference)
     std::vector<Vector3> with_energy;
     for (int i = 0; i < n; ++i)
       with_energy.push_back(force(*body, flat[i]));
-    body->evaluate(true, false);
+    body->break_bonds();
+    body->compute_internal_forces({false});
     EXPECT_EQ(body->n_broken_entries(), 0u);
     for (int i = 0; i < n; ++i)
       EXPECT_EQ(force(*body, flat[i]), with_energy[i]);
@@ -214,7 +216,8 @@ TEST(LatticeKernelTable, LogHasRoomForAllBondsThatBreakInOneStep)
     for_each_point(*body, [&](const std::ptrdiff_t p)
                    { set(body->state().arrays.position, p, 2. * reference(*body, p)); });
     body->update_ghosts();
-    body->evaluate(/*breaking=*/true, /*energy=*/false);
+    body->break_bonds();
+    body->compute_internal_forces({false});
     ASSERT_LE(body->n_broken_entries(), body->broken().size()) << set_name;
     double n_broken = 0.;
     for (std::size_t i = 0; i < body->n_broken_entries(); ++i)

@@ -48,7 +48,9 @@ void step_to(PeridynamicBody &body, const double dt, Map &&map, const bool break
                    set(a.position, p, x);
                  });
   body.update_ghosts();
-  body.evaluate(breaking, /*energy=*/true);
+  if (breaking)
+    body.break_bonds();
+  body.compute_internal_forces({/*energy=*/true});
 }
 
 struct KernelCase
@@ -308,7 +310,7 @@ TEST(BondViscosity, MeasuringNowAndThenInterpolates)
                        set(a.position, p, x);
                      });
       body->update_ghosts();
-      body->evaluate(false, /*energy=*/every || i == 80);
+      body->compute_internal_forces({/*energy=*/every || i == 80});
     }
     total[every] = body->history()->dissipated(MPI_COMM_SELF);
   }
@@ -359,7 +361,7 @@ TEST(BondViscosity, BondAtAnyRateFollowsThePronySeries)
         const double t                      = i * dt;
         body->state().arrays.position[0][p] = start + rate * t * L;
         body->update_ghosts();
-        body->evaluate(false, false);
+        body->compute_internal_forces({false});
         if (i % (n / 20) == 0 && i > 0)
         {
           double strain = rate * t; // of the shear springs together
@@ -391,7 +393,7 @@ TEST(BondViscosity, StretchedBondRelaxesLikeThePronySeries)
   {
     body->state().arrays.position[0][p] = start + (i > 0 ? stretch * L : 0.);
     body->update_ghosts();
-    body->evaluate(false, false);
+    body->compute_internal_forces({false});
     if (i == 0)
       continue;
     double strain = stretch;
@@ -482,7 +484,7 @@ TEST(BondViscosity, UniformBackStrainContinuesAsIfItHadBeenThere)
     later->history()->start_from(later->state().arrays,
                                  [&](const Vector3 &, const int k) -> Eigen::Matrix3d
                                  { return back[k] * strain; });
-    later->evaluate(false, true);
+    later->compute_internal_forces({true});
     double scale = 0., worst = 0., total = 0.;
     const auto compare = [&]
     {

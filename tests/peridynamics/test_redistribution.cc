@@ -56,7 +56,8 @@ Result burst(const MPI_Comm communicator, const bool mirrored, const RelaxationS
     if (redistribute && step % 8 == 7)
       body.redistribute(uneven_shares(n_ranks, body.lattice().stencil().reach, step / 8 % n_ranks));
     body.update_ghosts();
-    body.evaluate(/*breaking=*/true, /*energy=*/step % 5 == 0);
+    body.break_bonds();
+    body.compute_internal_forces({step % 5 == 0});
     body.advance(dt, dt);
   }
   Result result;
@@ -68,7 +69,7 @@ Result burst(const MPI_Comm communicator, const bool mirrored, const RelaxationS
                  });
   result.n_bonds = body.count_bonds();
   body.update_ghosts();
-  body.evaluate(/*breaking=*/false, /*energy=*/true);
+  body.compute_internal_forces({true});
   result.viscous = body.energies(dt).viscous;
   return result;
 }

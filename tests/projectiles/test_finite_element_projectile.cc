@@ -42,7 +42,7 @@ TEST_P(ElasticImpact, EnergyAndMomentaBalance)
   const double end    = 60e-6;
   for (int i = 0; simulation.time() < end; ++i)
   {
-    simulation.evaluate(i % 25 == 0);
+    simulation.compute_forces(i % 25 == 0);
     if (i % 25 == 0)
     {
       const auto e = simulation.energies();
@@ -79,8 +79,8 @@ TEST_P(DeformableHalfModel, EqualsTheFullModelBeforeDamage)
   ASSERT_NEAR(half.dt(), full.dt(), 1e-15 * full.dt());
   for (int i = 0; i < 300; ++i)
   {
-    full.evaluate(true);
-    half.evaluate(true);
+    full.compute_internal_forces({true});
+    half.compute_internal_forces({true});
     if (i % 50 == 0 || i == 299)
     {
       const auto &f = full.projectile().motion(), &h = half.projectile().motion();
@@ -127,7 +127,7 @@ TEST_P(DeformableMotion, IsThatOfTheRigidProjectile)
   while (rigid.time() < 25e-6)
     for (Simulation *simulation : {&rigid, &elastic})
     {
-      simulation->evaluate(false);
+      simulation->compute_forces(false);
       simulation->advance();
     }
   const Vector3 start(300. * std::cos(M_PI / 6.), 0., -300. * std::sin(M_PI / 6.));

@@ -15,7 +15,7 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene)
   const auto add = [&](const Vector3 &v) { rows.insert(rows.end(), v.data(), v.data() + 3); };
   for (int i = 0; i <= 160; ++i)
   {
-    simulation.evaluate(/*energy=*/i % 20 == 0);
+    simulation.compute_forces(/*energy=*/i % 20 == 0);
     if (i % 20 == 0)
     {
       const auto &motion = simulation.projectile().motion();

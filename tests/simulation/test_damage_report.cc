@@ -16,7 +16,7 @@ struct Impact
   {
     for (int i = 0; i < n_steps; ++i)
     {
-      simulation.evaluate(false);
+      simulation.compute_forces(false);
       simulation.advance();
     }
   }

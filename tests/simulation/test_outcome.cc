@@ -47,7 +47,7 @@ public:
   {
     for (;;)
     {
-      simulation.evaluate(false);
+      simulation.compute_forces(false);
       watch.update();
       if (watch.decided() || simulation.time() >= end_time)
         break;

@@ -287,7 +287,8 @@ TEST(PlateZone, ZoneOfTheWholePlateIsPeridynamics)
           alone.state().arrays.position[d][p] = x[d];
       });
   alone.update_ghosts();
-  alone.evaluate(true, true);
+  alone.break_bonds();
+  alone.compute_internal_forces({true});
   double n = 0.;
   lattice.for_each_owned(
       [&](const std::ptrdiff_t p)
@@ -312,7 +313,7 @@ TEST(PlateZone, ProjectileThatTouchesElementsIsNoticed)
       Simulation simulation(MPI_COMM_SELF, scene);
       for (int step = 0; step < 200 && simulation.reaction().n_touching == 0.; ++step)
       {
-        simulation.evaluate(/*energy=*/false);
+        simulation.compute_forces(/*energy=*/false);
         simulation.advance();
       }
       ASSERT_GT(simulation.reaction().n_touching, 0.);

@@ -24,7 +24,7 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene, con
   const auto add = [&](const Vector3 &v) { rows.insert(rows.end(), v.data(), v.data() + 3); };
   for (int i = 0; i <= n_steps; ++i)
   {
-    simulation.evaluate(/*energy=*/true);
+    simulation.compute_forces(/*energy=*/true);
     if (i % 20 == 0)
     {
       const auto &motion = simulation.projectile().motion();
@@ -123,7 +123,7 @@ TEST(RankIndependence, PlateTooShortForTheRanksIsRefused)
 TEST(RankIndependence, ErrorOnOneRankIsThrownOnAll)
 {
   Simulation simulation(MPI_COMM_WORLD, small_scene());
-  simulation.evaluate(false);
+  simulation.compute_forces(false);
   EXPECT_NO_THROW(simulation.check_finite());
   const auto &l = simulation.plates()[0]->lattice();
   const auto p  = l.index(29, 4, 5); // lives on the last rank

@@ -17,7 +17,7 @@ void run(Simulation &simulation, const int n_steps, const int interval, Visitor 
   for (int i = 0; i <= n_steps; ++i)
   {
     const bool due = i % interval == 0;
-    simulation.evaluate(/*energy=*/due);
+    simulation.compute_forces(/*energy=*/due);
     if (due)
       visit();
     simulation.advance();
@@ -146,8 +146,8 @@ protected:
 
     for (int i = 0; i < n_steps; ++i)
     {
-      full.evaluate(true);
-      half.evaluate(true);
+      full.compute_internal_forces({true});
+      half.compute_internal_forces({true});
       if (i % 20 == 0)
       {
         const auto &f = full.projectile().motion(), &h = half.projectile().motion();
@@ -268,7 +268,7 @@ TEST(Simulation, FreeProjectileFliesStraight)
 TEST(Simulation, FieldThatIsNotANumberIsReportedWithItsPlace)
 {
   Simulation simulation(MPI_COMM_SELF, small_scene());
-  simulation.evaluate(false);
+  simulation.compute_forces(false);
   EXPECT_NO_THROW(simulation.check_finite());
   const auto &l = simulation.plates()[0]->lattice();
   simulation.plates()[0]->state().arrays.velocity[1][l.index(3, 4, 5)] = std::nan("");

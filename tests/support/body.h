@@ -14,6 +14,16 @@
 
 namespace ricochet::tests
 {
+/// Of bodies in one list, for what only sees them.
+inline std::vector<PeridynamicBody *>
+pointers(const std::vector<std::unique_ptr<PeridynamicBody>> &bodies)
+{
+  std::vector<PeridynamicBody *> result;
+  for (const auto &body : bodies)
+    result.push_back(body.get());
+  return result;
+}
+
 constexpr double unbreakable = std::numeric_limits<double>::infinity();
 
 struct BodySample
@@ -84,7 +94,9 @@ void deform(PeridynamicBody &body, Map &&map, const bool breaking = false)
   for_each_point(body, [&](const std::ptrdiff_t p)
                  { set(body.state().arrays.position, p, map(reference(body, p))); });
   body.update_ghosts();
-  body.evaluate(breaking, /*energy=*/true);
+  if (breaking)
+    body.break_bonds();
+  body.compute_internal_forces({/*energy=*/true});
 }
 
 inline double strain_energy(const PeridynamicBody &body)

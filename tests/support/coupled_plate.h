@@ -49,10 +49,11 @@ struct PlateModel
     spacing(sample.spacing), corrects_mass(sample.coupling.correct_mass)
   {
     const auto stencil = make_stencil(sample.spacing, sample.horizon_ratio, sample.influence);
-    zone               = std::make_unique<Zone>(
+    auto own_zone      = std::make_unique<Zone>(
         sample.pad_layers > 0
-                          ? Zone(sample.n_cells, stencil.reach, BlendFunction::step, sample.pad_layers)
-                          : make_zone(sample.n_cells, stencil, sample.coupling));
+                 ? Zone(sample.n_cells, stencil.reach, BlendFunction::step, sample.pad_layers)
+                 : make_zone(sample.n_cells, stencil, sample.coupling));
+    zone = own_zone.get();
     if (sample.limit)
       zone->set_limit(*sample.limit);
     zone->grow({sample.zone});
@@ -64,11 +65,13 @@ struct PlateModel
     Lattice::Box box{Vector3::Zero(), sample.spacing, {}, sample.mirror_y};
     for (int d = 0; d < 3; ++d)
       box.n[d] = zone->points_per_edge() * sample.n_cells[d];
-    points       = std::make_unique<PeridynamicBody>(sample.communicator, 0, box, stencil, material,
-                                               Lattice::Mask{}, nullptr, zone.get());
-    auto options = sample.far;
+    auto own_points  = std::make_unique<PeridynamicBody>(sample.communicator, 0, box, stencil,
+                                                        material, Lattice::Mask{}, nullptr, zone);
+    points           = own_points.get();
+    auto options     = sample.far;
     options.coupling = sample.coupling;
-    far              = std::make_unique<CoupledPlate>(sample.communicator, *points, *zone, options);
+    far              = std::make_unique<CoupledPlate>(sample.communicator, std::move(own_zone),
+                                         std::move(own_points), options);
   }
 
   static constexpr double density = 1000., modulus = 1e9, p_wave_speed = 1000.; // [SI]
@@ -131,8 +134,9 @@ struct PlateModel
   void evaluate(const bool energy = true)
   {
     points->update_ghosts();
-    points->evaluate(/*breaking=*/true, energy);
-    far->evaluate(energy);
+    points->break_bonds();
+    far->compute_internal_forces({energy});
+    far->complete_forces();
   }
 
   /// Momenta of the nodes anew, after their velocities have been set.
@@ -176,17 +180,12 @@ struct PlateModel
     velocities_were_set();
   }
 
-  void advance(const double kick, const double drift)
-  {
-    points->advance(kick, drift);
-    far->advance(kick, drift);
-    far->lead();
-  }
+  void advance(const double kick, const double drift) { far->advance(kick, drift); }
 
   double spacing; // dx [m]
   bool corrects_mass;
-  std::unique_ptr<Zone> zone;
-  std::unique_ptr<PeridynamicBody> points;
+  Zone *zone; // the plate's, and its points
+  PeridynamicBody *points;
   std::unique_ptr<CoupledPlate> far;
 };
 } // namespace ricochet::tests

@@ -98,7 +98,7 @@ void deform(FiniteElementBody &body, Map &&map)
   for (int node = 0; node < body.mesh().n_owned_nodes(); ++node)
     set(body.position(), node, map(body.mesh().reference_position(node)));
   body.update_ghosts();
-  body.evaluate(/*energy=*/true);
+  body.compute_internal_forces({/*energy=*/true});
 }
 
 inline double largest_force(const FiniteElementBody &body)

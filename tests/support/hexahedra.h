@@ -76,7 +76,7 @@ void deform(HexahedralBody &body, Map &&map)
     for (int d = 0; d < 3; ++d)
       body.position()[3 * node + d] = x[d];
   }
-  body.evaluate(/*energy=*/true);
+  body.compute_internal_forces({/*energy=*/true});
 }
 
 /// Forces and energy of one element with 2 x 2 x 2 Gauss points, St Venant-Kirchhoff.

@@ -77,7 +77,7 @@ public:
     for (int step = 0; step <= n_steps; ++step)
     {
       const bool look = step == 0 || step == n_steps;
-      body_.evaluate(look);
+      body_.compute_internal_forces({look});
       if (look)
       {
         const auto e       = body_.energies(dt);
@@ -159,7 +159,7 @@ TEST(NonReflectingEdges, MomentumThatLeavesIsBooked)
   for (int step = 0; step < 200; ++step)
   {
     block.update_ghosts();
-    block.evaluate(/*energy=*/false);
+    block.compute_internal_forces({/*energy=*/false});
     block.advance(dt, dt);
   }
   EXPECT_LT(kinetic(), 0.1 * start) << "nothing has left";

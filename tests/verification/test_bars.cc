@@ -4,8 +4,7 @@
 // equal bar), and the bars exchange their velocities.
 #include "ricochet/contact/friction_laws.h"
 #include "ricochet/contact/surface_contact.h"
-#include "ricochet/dynamics/elastic_body_time_step.h"
-#include "ricochet/dynamics/stable_time_step.h"
+#include "ricochet/dynamics/largest_frequency.h"
 #include "support/body.h"
 #include "support/hexahedra.h"
 
@@ -40,11 +39,10 @@ Impact collide(HexahedralBody &bar, PeridynamicBody &target, const bool moves,
   double least = 1.;
   for (int node = 0; node < bar.n_nodes(); ++node)
     least = std::min(least, bar.node_mass(node));
-  double squared = estimate_largest_frequency(bar).squared_frequency + stiffness / least;
+  double squared = largest_frequency(MPI_COMM_SELF, bar, 60).squared_frequency + stiffness / least;
   if (moves)
-    squared =
-        std::max(squared, estimate_largest_frequency(MPI_COMM_SELF, target).squared_frequency +
-                              stiffness / target.point_mass());
+    squared = std::max(squared, largest_frequency(MPI_COMM_SELF, target).squared_frequency +
+                                    stiffness / target.point_mass());
   const double dt = safety * 2. / std::sqrt(squared);
 
   for (int node = 0; node < bar.n_nodes(); ++node)
@@ -56,9 +54,9 @@ Impact collide(HexahedralBody &bar, PeridynamicBody &target, const bool moves,
   for (int step = 0; step * dt < 1.5 * 2. * length / c; ++step)
   {
     const double t = step * dt;
-    bar.evaluate(true);
+    bar.compute_internal_forces({true});
     target.update_ghosts();
-    target.evaluate(/*breaking=*/false, /*energy=*/true);
+    target.compute_internal_forces({true});
     surface.update(bar.position(), 2. * spacing);
     const auto reaction = contact.evaluate(bar, surface, Vector3::Zero(), target);
     if (reaction.normal.x() > 0.5 * plateau)

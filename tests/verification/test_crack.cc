@@ -76,8 +76,9 @@ Crack crack(const bool coupled, const int n_steps)
     points.update_ghosts();
     if (watch.update(step * dt, dt))
       points.update_ghosts();
-    points.evaluate(/*breaking=*/true, /*energy=*/false);
-    strip.far->evaluate(/*energy=*/false);
+    points.break_bonds();
+    strip.far->compute_internal_forces({});
+    strip.far->complete_forces();
     strip.advance(dt, dt);
   }
   Crack result;
@@ -162,7 +163,7 @@ ImpactResult impact(const double horizons)
     Simulation simulation(MPI_COMM_SELF, scene);
     while (simulation.time() < 60e-6)
     {
-      simulation.evaluate(false);
+      simulation.compute_forces(false);
       simulation.advance();
     }
     const auto &plate = *simulation.plates()[0];
@@ -173,7 +174,7 @@ ImpactResult impact(const double horizons)
     mean.speed += simulation.projectile().motion().velocity.norm() / n_runs;
     if (horizons >= 0.)
     {
-      EXPECT_LT(simulation.adaptive_zones()[0]->reached(), 0.);
+      EXPECT_LT(simulation.coupled_plate(0)->adaptive_zone().reached(), 0.);
     }
   }
   mean.scatter = std::sqrt(std::max(0., squares - mean.damaged * mean.damaged) / (n_runs - 1));

@@ -165,7 +165,7 @@ private:
   {
     auto &body = *bodies_[0];
     body.update_ghosts();
-    body.evaluate(/*breaking=*/false, /*energy=*/true);
+    body.compute_internal_forces({true});
     double sum = 0.;
     for (int z = 0; z < n_[2]; ++z)
       sum += body.state().arrays.energy[body.lattice().index(x, 0, z)];
@@ -181,7 +181,9 @@ private:
       if (one_more && !breaking)
         continue;
       body.update_ghosts();
-      body.evaluate(breaking, /*energy=*/false);
+      if (breaking)
+        body.break_bonds();
+      body.compute_internal_forces({/*energy=*/false});
       if (breaking)
         fracture_[one_more].record(dt_);
     }

@@ -2,7 +2,7 @@
 // Plane waves and the largest frequency on meshes of cubes.
 #include "support/element_body.h"
 
-#include "dynamics/finite_element_time_step.h"
+#include "ricochet/dynamics/largest_frequency.h"
 
 #include <gtest/gtest.h>
 
@@ -151,7 +151,7 @@ TEST_P(BothElements, LargestFrequencyOfAFreeBoxGivesTheStepOfTheDesign)
   // 0.936 h/c_P: finite box with free faces, nu = 0.35, section 2.2 of the design.
   const auto body     = cube(8, GetParam(), pmma());
   const double c      = p_wave_speed(pmma());
-  const auto estimate = estimate_largest_frequency(MPI_COMM_SELF, *body, 400);
+  const auto estimate = largest_frequency(MPI_COMM_SELF, *body, 400);
   const double limit  = 2. / std::sqrt(estimate.squared_frequency) * c / edge;
   // One point is softer against the modes that set the limit; 0.952 is recorded, the bounds are
   // the full element's limit and that of an infinite mesh.
@@ -165,7 +165,7 @@ TEST_P(BothElements, LargestFrequencyOfAFreeBoxGivesTheStepOfTheDesign)
   }
   EXPECT_GT(estimate.seconds_per_force, 0.);
   // Thirty iterations are enough for a time step: 1 %, from below in frequency.
-  const auto quick = estimate_largest_frequency(MPI_COMM_SELF, *body);
+  const auto quick = largest_frequency(MPI_COMM_SELF, *body);
   EXPECT_LE(quick.squared_frequency, estimate.squared_frequency * (1. + 1e-6));
   EXPECT_NEAR(quick.squared_frequency, estimate.squared_frequency,
               0.02 * estimate.squared_frequency);

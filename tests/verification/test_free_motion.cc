@@ -2,7 +2,7 @@
 // V3 and V4: a coupled body left to itself keeps its energy and momenta.
 #include "support/coupled_plate.h"
 
-#include "ricochet/dynamics/coupled_time_step.h"
+#include "ricochet/dynamics/largest_frequency.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -26,8 +26,7 @@ CoupledSample small_body(const int n_cells, const bool correct_mass)
 
 double stable_step(PlateModel &plate)
 {
-  return 2. /
-         std::sqrt(estimate_largest_frequency(MPI_COMM_SELF, *plate.far, 60).squared_frequency);
+  return 2. / std::sqrt(largest_frequency(MPI_COMM_SELF, *plate.far, 60).squared_frequency);
 }
 
 struct Drift // largest deviation from the start, relative
@@ -48,10 +47,10 @@ Drift spin(const bool correct_mass, const int n_steps)
   for (int step = 0; step <= n_steps; ++step)
   {
     const bool look = step % 50 == 0;
-    body.evaluate(look);
+    body.compute_internal_forces({look});
     if (look)
     {
-      const double now   = body.far->energies(dt).total();
+      const double now   = body.far->energies(dt).held();
       const auto momenta = body.far->momenta();
       if (step == 0)
       {
@@ -128,7 +127,7 @@ Matrices matrices(PlateModel &body, PlateModel &lumped_body)
   {
     coordinate(j) += amplitude;
     lumped_body.far->lead();
-    lumped_body.evaluate(false);
+    lumped_body.compute_internal_forces({false});
     coordinate(j) = reference[j / 3][j % 3];
     for (Eigen::Index i = 0; i < n; ++i)
     {
@@ -234,9 +233,9 @@ std::vector<double> energies_after_noise(const double amplitude, const int n_ste
   for (int step = 0; step <= n_steps; ++step)
   {
     const bool look = step % 100 == 0;
-    body.evaluate(look);
+    body.compute_internal_forces({look});
     if (look)
-      result.push_back(body.far->energies(dt).total());
+      result.push_back(body.far->energies(dt).held());
     body.advance(dt, dt);
   }
   return result;

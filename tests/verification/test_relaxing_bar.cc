@@ -54,7 +54,7 @@ TEST(RelaxingBar, CarriesThePronyStressAtAnyRate)
                 Vector3((1. + axial) * X.x(), (1. + lateral) * X.y(), (1. + lateral) * X.z()));
           });
       body->update_ghosts();
-      body->evaluate(false, false);
+      body->compute_internal_forces({false});
       if (i % (n / 10) != 0)
         continue;
       // Tractions on cuts through the middle: the forces on one half of a column.
@@ -85,7 +85,7 @@ std::vector<double> pulled_bar(const RelaxationSeries &series, const HistoryPrec
   for (int i = 0; i < n_steps; ++i)
   {
     body->update_ghosts();
-    body->evaluate(false, false);
+    body->compute_internal_forces({false});
     double end = 0.;
     for_each_point(*body,
                    [&](const std::ptrdiff_t p)

@@ -34,7 +34,7 @@ double stopping_distance(const double mu)
       sliding, [&](const std::ptrdiff_t p)
       { set(a.position, p, reference(sliding, p) + Vector3(20.5 * dx, 0.5 * dx, 0.2 * dx)); });
   const ConstantFriction law({"constant", mu, 0., 0., 1.});
-  ShortRangeContact contact(MPI_COMM_SELF, bodies, 15., false, "linked cells",
+  ShortRangeContact contact(MPI_COMM_SELF, pointers(bodies), 15., false, "linked cells",
                             {&law, 1., 0.02 * speed});
 
   const int settled = 400, n_points = 8 * 8 * 3;
@@ -44,7 +44,7 @@ double stopping_distance(const double mu)
     for (const auto &body : bodies)
     {
       body->update_ghosts();
-      body->evaluate(/*breaking=*/false, /*energy=*/false);
+      body->compute_internal_forces({false});
     }
     contact.evaluate(dt);
     double v = 0.;

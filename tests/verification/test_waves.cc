@@ -125,7 +125,7 @@ TEST(Bar, PulseTravelsAtTheBarSpeed)
     for (int i = 0; i < n_steps; ++i)
     {
       body->update_ghosts();
-      body->evaluate(false, false);
+      body->compute_internal_forces({false});
       body->advance(dt, dt);
     }
   };

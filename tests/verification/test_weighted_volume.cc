@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // V27: the weighted volume m of a family keeps its bulk value for ever. Summed over the surviving
 // bonds instead, it would stiffen what is left and take the time step with it.
-#include "ricochet/dynamics/stable_time_step.h"
+#include "ricochet/dynamics/largest_frequency.h"
 #include "support/body.h"
 
 #include <gtest/gtest.h>
@@ -142,7 +142,7 @@ TEST(V27WeightedVolume, RecomputedOnSurvivingBondsItRaisesTheLargestFrequency)
     const auto body = make_body(cube());
     break_bonds(*body, share);
     const double library =
-        std::sqrt(estimate_largest_frequency(MPI_COMM_SELF, *body, 400).squared_frequency);
+        std::sqrt(largest_frequency(MPI_COMM_SELF, *body, 400).squared_frequency);
     const double fixed =
         std::sqrt(FamilyByFamily(*body, /*recompute=*/false).largest_squared_frequency(400));
     const double recomputed =

@@ -12,7 +12,7 @@
 
 namespace ricochet
 {
-using Bodies = std::vector<std::unique_ptr<PeridynamicBody>>;
+using Bodies = std::vector<PeridynamicBody *>;
 
 /// Numbers the points of all bodies and their mirror images, the same on all ranks, in the order
 /// body, x, z, y. The difference of two numbers tells whether they have been neighbours.

@@ -42,6 +42,7 @@ public:
     bool on_elements        = false; // some of them follow finite elements, which do not break
 
     Vector3 force() const { return normal + friction + shank; }
+    Reaction &operator+=(const Reaction &other);
   };
 
   /// `law` must outlive this object. `mirrored`: y = 0 is a symmetry plane.

@@ -13,13 +13,14 @@
 // angular momentum: what is missing is the couple of the two forces, whose arm is r.
 #pragma once
 
+#include "ricochet/bodies/interaction.h"
 #include "ricochet/contact/contact_pairs.h"
 #include "ricochet/contact/friction_law.h"
 #include "ricochet/peridynamics/plane_sums.h"
 
 namespace ricochet
 {
-class ShortRangeContact
+class ShortRangeContact : public Interaction
 {
 public:
   struct Friction
@@ -40,22 +41,22 @@ public:
   /// Adds contact forces to the bodies' forces. `dt`: the coming step [s]; it tells how far points
   /// may get before the pairs are searched again, and how much friction it takes to stop them.
   /// Collective.
-  void evaluate(double dt);
+  void add_forces(double dt) override;
 
   /// Adds the work of friction in this step to the ledger: call after the bodies' kick, which is
   /// `dt` long.
-  void record_work(double dt);
+  void record_work(double dt) override;
 
   /// Energy stored in the repulsion, both halves [J]. Collective.
-  double energy() const;
+  double energy() const override;
   /// Work of friction on the points so far, both halves [J]; the heat is minus that. Collective.
-  double friction_work() const;
+  double friction_work() const override;
 
   /// Pairs that touch; a point and an image count as half of one. Collective.
   double n_touching() const;
   /// Points have appeared in a body, or changed their flat index or rank, since the last
   /// evaluate(); the same on all ranks.
-  void bodies_changed() { pairs_.bodies_changed(); }
+  void bodies_changed() override { pairs_.bodies_changed(); }
   /// How often all pairs have been searched, and how many points have been searched alone.
   long n_searches() const { return pairs_.n_searches(); }
   long n_single_searches() const { return pairs_.n_single_searches(); }
@@ -97,7 +98,7 @@ private:
                    double dt) const;
 
   MPI_Comm communicator_;
-  const Bodies &bodies_;
+  Bodies bodies_;
   double factor_;
   bool mirrored_;
   Friction friction_;

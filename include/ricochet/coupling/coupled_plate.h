@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The finite elements that carry a plate outside its peridynamic zone, and what ties both together.
 // In the zone elements are switched off; around it points are slaved to them (slaved_points.h) and
-// elements take over what the bonds lack (calibration.h). One step reads
-//   points.update_ghosts(), points.evaluate(), contact forces on the points;  evaluate();
-//   points.advance(), advance(), lead()
+// elements take over what the bonds lack (calibration.h). Owns its points and elements.
 #pragma once
 
 #include "ricochet/coupling/calibration.h"
@@ -26,43 +24,39 @@ struct CoupledPlateOptions
 Zone make_zone(const std::array<int, 3> &n_cells, const Stencil &stencil,
                const CouplingParameters &coupling);
 
-class CoupledPlate
+class CoupledPlate : public Body
 {
 public:
-  /// At rest. `points` must have been built with `zone`; both must outlive this object. Collective.
-  /// Throws InputError if the plate cannot be divided into cubes.
-  CoupledPlate(MPI_Comm communicator, PeridynamicBody &points, Zone &zone,
-               const CoupledPlateOptions &options);
+  /// At rest. `points` must have been built with `zone`. Collective. Throws InputError if the plate
+  /// cannot be divided into cubes.
+  CoupledPlate(MPI_Comm communicator, std::unique_ptr<Zone> zone,
+               std::unique_ptr<PeridynamicBody> points, const CoupledPlateOptions &options);
   CoupledPlate(const CoupledPlate &)            = delete;
   CoupledPlate &operator=(const CoupledPlate &) = delete;
 
-  /// Slaved points take over the nodes' motion; call after every change of it, before the points'
-  /// update_ghosts(). Collective.
+  double multiplicity() const override { return points_->multiplicity(); }
+
+  /// Slaved points take over the nodes' motion; call after every change of it that is not
+  /// advance()'s, before update_ghosts(). Collective.
   void lead();
-  /// Forces on nodes: of the elements and of the slaved points, which must be complete. With
-  /// `energy`, also the elements' energies; not a step: see PeridynamicBody::evaluate().
-  /// Collective.
-  void add_forces(bool energy, bool is_step = true);
-  /// The same, ready for advance(): with the mass correction.
-  void evaluate(bool energy, bool is_step = true);
-  /// See FiniteElementBody and PeridynamicBody: of both, if their material relaxes.
-  void start_relaxation(double dt);
-  /// Kick and drift of the nodes [s].
-  void advance(double kick, double drift) { elements_.advance(kick, drift); }
+  void update_ghosts() override { points_->update_ghosts(); }
+  void break_bonds() override { points_->break_bonds(); }
+  void book_fracture(const double dt) override { points_->book_fracture(dt); }
+  void compute_internal_forces(const ForceRequest &request) override;
+  /// The nodes' forces get what acts on slaved points.
+  void hand_on();
+  void complete_forces() override;
+  void start_relaxation(double dt) override;
+  bool relaxes() const override { return points_->relaxes(); }
+  void advance(double kick, double drift) override;
 
   /// Everything at rest in the reference configuration, without forces. Collective.
   void rest();
 
-  /// Of points and elements together, as their own functions say [J]. Collective.
-  struct Energies
-  {
-    double kinetic, strain, hourglass;
-    double viscous;  // turned into heat so far
-    double absorbed; // by the edges so far
-    double total() const { return kinetic + strain + hourglass; }
-  };
-  Energies energies(double dt) const;
-  PeridynamicBody::Momenta momenta() const;
+  Energies energies(double dt) const override;
+  Momenta momenta() const override;
+  std::unique_ptr<Vibration> vibration() override;
+  std::string first_not_finite() const override;
 
   /// The cells become part of the zone, with the present motion of the elements there; the
   /// interface is set up anew. Returns whether anything changed. Collective.
@@ -72,13 +66,15 @@ public:
   /// elements stay where they are. Call between steps. Returns whether they were. Collective.
   bool rebalance();
 
-  const Zone &zone() const { return zone_; }
-  PeridynamicBody &points() { return points_; }
-  const PeridynamicBody &points() const { return points_; }
+  const Zone &zone() const { return *zone_; }
+  PeridynamicBody &points() { return *points_; }
+  const PeridynamicBody &points() const { return *points_; }
   FiniteElementBody &elements() { return elements_; }
   const FiniteElementBody &elements() const { return elements_; }
   /// With relaxation the worse of the two parts, each in units of its own M.
   CalibrationReport calibration() const;
+  const CoupledPlateOptions &options() const { return options_; }
+  MPI_Comm communicator() const { return communicator_; }
 
 private:
   void join();
@@ -91,8 +87,8 @@ private:
   std::vector<std::vector<double>> nodal_histories() const;
 
   MPI_Comm communicator_;
-  PeridynamicBody &points_;
-  Zone &zone_;
+  std::unique_ptr<Zone> zone_;
+  std::unique_ptr<PeridynamicBody> points_;
   CoupledPlateOptions options_;
   FiniteElementBody elements_;
   SlavedPoints slaved_;

@@ -25,7 +25,7 @@
 
 namespace ricochet
 {
-class CoupledProjectileBody
+class CoupledProjectileBody : public Body
 {
 public:
   struct Parameters
@@ -69,20 +69,25 @@ public:
   /// point in the overlap lies far from all of them.
   CoupledProjectileBody(const BodyOfRevolution &shape, const HexSolid &mesh,
                         const Parameters &parameters);
-  ~CoupledProjectileBody();
+  ~CoupledProjectileBody() override;
   CoupledProjectileBody(const CoupledProjectileBody &)            = delete;
   CoupledProjectileBody &operator=(const CoupledProjectileBody &) = delete;
 
-  /// Points that follow nodes take their places; call after a change of the motion.
+  /// Points that follow nodes take their places; call after a change of the motion that is not
+  /// advance()'s.
   void lead();
-  /// Overwrites all forces with the internal ones; with `energy` also the stored energy.
-  void evaluate(bool energy);
-  /// Kick and drift: v += f dt/m, x += v dt.
-  void advance(double dt);
   /// Everything at rest in the reference configuration, without forces.
   void rest();
 
-  double stored_energy() const { return stored_; } // at the last evaluate(true) [J]
+  double multiplicity() const override { return peridynamic_->multiplicity(); }
+  void update_ghosts() override { peridynamic_->update_ghosts(); }
+  void compute_internal_forces(const ForceRequest &request) override;
+  void advance(double kick, double drift) override;
+  /// Strain energy with that of hourglass modes.
+  Energies energies(double dt) const override;
+  Momenta momenta() const override;
+  std::unique_ptr<Vibration> vibration() override;
+  std::string first_not_finite() const override;
 
   const std::vector<MassPoint> &mass_points() const { return mass_points_; } // points, then nodes
   const std::vector<Point> &points() const { return points_; }
@@ -101,6 +106,7 @@ public:
 
 private:
   void place_points(const BodyOfRevolution &shape, const Parameters &parameters, double volume);
+  void hand_on();
   static void strain(PeridynamicBody &points);
   void correct_surface(PeridynamicBody &&whole);
   std::vector<double> shares_of(const HexSolid &mesh, const HexSolid &elements,
@@ -115,6 +121,6 @@ private:
   std::vector<int> node_, slaved_;    // mass points of the mesh's nodes; points that follow nodes
   std::vector<std::ptrdiff_t> index_; // of points_ in the lattice
   Overlap overlap_;
-  double stored_ = 0.;
+  double stored_ = 0.; // at the last compute_internal_forces() with energies [J]
 };
 } // namespace ricochet

@@ -4,6 +4,7 @@
 // they follow their masters and hand their force and mass on to them.
 #pragma once
 
+#include "ricochet/bodies/body.h"
 #include "ricochet/finite_elements/hex_mesh.h"
 #include "ricochet/kernels/hex_kernel.h"
 #include "ricochet/materials/relaxation.h"
@@ -44,7 +45,7 @@ struct ElementStiffness
   std::array<std::array<double, HexTensors::n_entries>, 8> shear = {};
 };
 
-class FiniteElementBody
+class FiniteElementBody : public Body
 {
 public:
   struct Options
@@ -61,19 +62,6 @@ public:
     const char *instruction_set                 = nullptr;
   };
 
-  struct Energies // of this body as computed, without the mirrored half [J]
-  {
-    double kinetic, strain, hourglass;
-    double viscous;       // turned into heat by relaxation since its start
-    double absorbed = 0.; // by dashpots so far
-  };
-
-  struct Momenta
-  {
-    Vector3 linear;  // [kg m/s]
-    Vector3 angular; // about the origin [kg m^2/s]
-  };
-
   /// At rest in the reference configuration; nodes on a mirror plane have u_y = 0. Collective.
   /// Throws InputError if the processor lacks the instruction set or the mesh is impossible.
   FiniteElementBody(MPI_Comm communicator, const HexMesh::Box &box,
@@ -88,19 +76,20 @@ public:
   /// element that changes its Gauss points spreads it or takes the mean.
   void set_stiffness(const std::vector<ElementStiffness> &stiffness);
 
-  /// From now on the shear stiffness relaxes as the material says, from no history, and evaluate()
-  /// must be called once per time step of that length [s]: it moves the history on. Hourglass
-  /// stiffness stays elastic with the instantaneous modulus: it stands for bending within an
-  /// element, whose waves last a few steps, and a softer one would let go of the modes that it has
-  /// to hold. Throws InputError for an impossible series. History is kept in double precision.
-  void start_relaxation(double dt);
-  bool relaxes() const { return !branches_.empty(); }
+  /// From now on the shear stiffness relaxes as the material says, from no history, and
+  /// compute_internal_forces() must be called once per time step of that length [s]: it moves the
+  /// history on. Hourglass stiffness stays elastic with the instantaneous modulus: it stands for
+  /// bending within an element, whose waves last a few steps, and a softer one would let go of the
+  /// modes that it has to hold. Throws InputError for an impossible series. History is kept in
+  /// double precision.
+  void start_relaxation(double dt) override;
+  bool relaxes() const override { return !branches_.empty(); }
   /// E_b,k, the strain that the dashpots of a branch have taken over; mean of the Gauss points [-].
   Eigen::Matrix3d back_strain(int element, int branch) const;
   /// What bonds take over from an element before the next step, see BondViscosity::take_over().
   Eigen::Matrix3d history(int element, int branch) const;
   /// Sets E_b,k at all Gauss points of an element, for bodies that take over from others; as of the
-  /// last evaluate().
+  /// last step.
   void set_back_strain(int element, int branch, const Eigen::Matrix3d &E_b);
 
   /// Elements for whose centre this is false carry neither force nor mass from now on; all others
@@ -128,28 +117,27 @@ public:
   /// elements, without consistent mass. Collective.
   void absorb_at(const std::array<bool, 6> &faces);
 
-  /// Ghosts and hanging nodes take over positions and velocities; call after every change of them.
-  /// Collective.
-  void update_ghosts();
+  double multiplicity() const override { return mesh_.box().mirror_y ? 2. : 1.; }
 
-  /// Overwrites `force` of owned nodes with the internal force; positions of ghosts must be up to
-  /// date. With `energy`, also each element's energies. Collective.
-  void evaluate(bool energy, bool is_step = true);
-
+  /// Also hanging nodes follow their masters.
+  void update_ghosts() override;
+  /// On owned nodes; with energies also each element's.
+  void compute_internal_forces(const ForceRequest &request) override;
+  void complete_forces() override { correct_mass(); }
   /// Call when all forces are there and before advance(). Collective.
   void correct_mass();
+  /// Of the owned nodes.
+  void advance(double kick, double drift) override;
 
-  /// Kick and drift of the owned nodes: v += f kick/m, x += v drift; both in s, equal but in a
-  /// first half step.
-  void advance(double kick, double drift);
+  /// Ranks change them by rounding only.
+  Energies energies(double dt) const override;
+  /// With what dashpots have carried off; likewise.
+  Momenta momenta() const override;
 
-  /// At the present time, where velocities are those of half a step before: kinetic energy is 1/2
-  /// m v- . v+, which the leapfrog scheme conserves together with the others in a linear system.
-  /// After evaluate(true), before advance(). Collective; ranks change it by rounding only.
-  Energies energies(double dt) const;
-  /// Of the half step before the present time, and of what dashpots have carried off. Collective;
-  /// likewise.
-  Momenta momenta() const;
+  /// Everything at rest in the reference configuration, without forces; ghosts are not touched.
+  void rest();
+  std::unique_ptr<Vibration> vibration() override;
+  std::string first_not_finite() const override;
   /// Lumped mass of all nodes [kg]. Collective.
   double total_mass() const;
 
@@ -175,7 +163,7 @@ public:
   double squared_force() const;
 
   bool is_active(const int element) const { return place_[element].group >= 0; }
-  /// Of the last evaluate(true); zero if not active [J].
+  /// At the last compute_internal_forces() with energies; zero if not active [J].
   double strain_energy(int element) const;
   double hourglass_energy(int element) const;
   /// F in the middle of an element [-].
@@ -237,9 +225,9 @@ private:
   std::vector<char> active_;
   std::vector<double> position_, velocity_, force_;
   std::vector<Dashpot> dashpots_;
-  double absorbed_ = 0.;                                  // by them, up to the step before [J]
-  Momenta carried_off_{Vector3::Zero(), Vector3::Zero()}; // by them, at this rank's nodes
-  bool spreads_mass_   = false;                           // the same on all ranks
+  double absorbed_ = 0.;          // by them, up to the step before [J]
+  Momenta carried_off_;           // by them, at this rank's nodes
+  bool spreads_mass_   = false;   // the same on all ranks
   double spread_share_ = 0.;      // of an edge's mass that an end has of itself [-]
   std::vector<int> spread_;       // elements of consistent mass
   std::vector<int> spread_nodes_; // owned nodes among their corners

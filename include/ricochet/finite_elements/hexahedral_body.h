@@ -11,7 +11,7 @@
 
 namespace ricochet
 {
-class HexahedralBody
+class HexahedralBody : public Body
 {
 public:
   struct Options
@@ -22,11 +22,6 @@ public:
     /// Per cell, how much of its strain energy counts; none: all of it. Mass and hourglass control
     /// stay whole [-].
     std::vector<double> shares   = {};
-  };
-
-  struct Energies // of the body as computed, without a mirrored half [J]
-  {
-    double kinetic, strain, hourglass;
   };
 
   /// At rest in the reference configuration `solid`. `mirrored`: nodes at y = 0 stay there. Throws
@@ -42,23 +37,19 @@ public:
   /// Rests in the reference configuration, all forces zero.
   void rest();
 
-  /// Overwrites `force` with the internal force; with `energy` also the energies.
-  void evaluate(bool energy);
-  /// Kick and drift: v += f kick/m, x += v drift [s].
-  void advance(double kick, double drift);
-
-  /// At the present time with velocities of half a step before, 1/2 m v- . v+, see
-  /// FiniteElementBody::energies(). After evaluate(true), when all forces have been added.
-  Energies energies(double dt) const;
+  double multiplicity() const override { return mirrored_ ? 2. : 1.; }
+  void compute_internal_forces(const ForceRequest &request) override;
+  void advance(double kick, double drift) override;
+  Energies energies(double dt) const override;
+  Momenta momenta() const override;
+  std::unique_ptr<Vibration> vibration() override;
+  std::string first_not_finite() const override;
   double mass() const { return total_mass_; } // as computed [kg]
 
   /// The rigid motion that the body's is closest to, mass-weighted; with a mirror plane that of
   /// both halves: centroid, its velocity, the rotation that takes the reference configuration
   /// nearest to the present one, and the spin with the present angular momentum.
   RigidBody::Motion rigid_motion() const;
-  /// Of half a step before the present time, without a mirrored half: linear [kg m/s], and angular
-  /// about the origin [kg m^2/s].
-  FiniteElementBody::Momenta momenta() const;
 
   const HexSolid &solid() const { return solid_; }
   bool mirrored() const { return mirrored_; }

@@ -5,6 +5,7 @@
 // (coupling/) sets their motion and collects their forces.
 #pragma once
 
+#include "ricochet/bodies/body.h"
 #include "ricochet/peridynamics/bond_viscosity.h"
 #include "ricochet/peridynamics/halo.h"
 #include "ricochet/peridynamics/lattice_state.h"
@@ -17,6 +18,8 @@
 
 namespace ricochet
 {
+class FractureEnergy;
+
 struct PeridynamicMaterial
 {
   const BondLaw *law;
@@ -29,7 +32,7 @@ struct PeridynamicMaterial
   HistoryPrecision history_precision = HistoryPrecision::single_precision;
 };
 
-class PeridynamicBody
+class PeridynamicBody : public Body
 {
 public:
   /// Collective. `number` of the body, from 0, keeps the messages of several bodies apart.
@@ -40,26 +43,25 @@ public:
                   const Stencil &stencil, const PeridynamicMaterial &material,
                   const Lattice::Mask &mask = {}, const char *instruction_set = nullptr,
                   const Zone *zone = nullptr);
+  ~PeridynamicBody() override;
   PeridynamicBody(const PeridynamicBody &)            = delete;
   PeridynamicBody &operator=(const PeridynamicBody &) = delete;
 
-  /// Ghosts and images take over positions and velocities; call after every change of them.
-  /// Collective.
-  void update_ghosts();
+  double multiplicity() const override { return lattice_.box().mirror_y ? 2. : 1.; }
 
-  /// From now on the shear modulus relaxes as the material says, from no history, and evaluate()
-  /// must be called once per time step of that length [s]: it moves the history on. Before, and
-  /// without relaxation, the body is elastic with the instantaneous moduli. Throws InputError if
-  /// the law or a branch cannot be used so.
-  void start_relaxation(double dt);
+  void update_ghosts() override;
+  /// Bonds stretched beyond their limit break; what the others say of the dilatation is kept for
+  /// the compute_internal_forces() that follows.
+  void break_bonds() override;
+  void book_fracture(double dt) override;
+  void compute_internal_forces(const ForceRequest &request) override;
+
+  /// Throws InputError if the law or a branch cannot relax.
+  void start_relaxation(double dt) override;
+  bool relaxes() const override { return history_ != nullptr; }
   /// Null if the body is elastic.
   const BondViscosity *history() const { return history_.get(); }
   BondViscosity *history() { return history_.get(); }
-
-  /// Breaks overstretched bonds, then overwrites `force` with the bond forces; positions of ghosts
-  /// must be up to date. With `energy`, also each point's strain energy. Not a step: the history of
-  /// a relaxing body stays where it is, for a look at its energy between steps. Collective.
-  void evaluate(bool breaking, bool energy, bool is_step = true);
 
   /// After the zone has grown by cells whose layers have changed between the planes first <= x <
   /// last (global): new points and bonds appear, at rest in the reference configuration, and slaved
@@ -76,35 +78,24 @@ public:
   /// Collective.
   void redistribute(const std::vector<int> &plane_starts);
 
-  /// Kick and drift of the free points: v += f kick/m, x += v drift; both in s, equal but in a
-  /// first half step.
-  void advance(double kick, double drift);
+  /// Of the free points.
+  void advance(double kick, double drift) override;
 
   /// The energy of each point counts so many times, besides the zone's share of it: per point,
   /// images too [-]. Needs a zone, and one that neither grows nor moves between ranks: both start
   /// from the zone's shares again.
   void scale_energy(const std::vector<double> &factor);
 
-  struct Energies // of this body as computed, without the mirrored half [J]
-  {
-    double kinetic, strain;
-    double viscous; // turned into heat by relaxation so far
-  };
-  struct Momenta
-  {
-    Vector3 linear;  // [kg m/s]
-    Vector3 angular; // about the origin [kg m^2/s]
-  };
-  /// At the present time, where velocities are those of half a step before: kinetic energy is 1/2 m
-  /// v- . v+, of free points. After evaluate() with energies and all forces, before advance().
-  /// Collective.
-  Energies energies(double dt) const;
-  /// Of the free points, half a step before the present time. Collective.
-  Momenta momenta() const;
+  /// Kinetic energy is that of free points.
+  Energies energies(double dt) const override;
+  /// Of the free points.
+  Momenta momenta() const override;
+  /// Everything at rest in the reference configuration, without forces. Collective.
+  void rest();
 
-  /// The dilatation of the last evaluate(), to be put back after others that are not steps.
-  std::vector<double> dilatation_history() const;
-  void restore_dilatation(const std::vector<double> &history);
+  std::unique_ptr<Vibration> vibration() override;
+  std::string first_not_finite() const override;
+  MPI_Comm communicator() const { return communicator_; }
 
   const Lattice &lattice() const { return lattice_; }
   LatticeState &state() { return state_; }
@@ -116,7 +107,7 @@ public:
   double point_mass() const { return mass_; }                       // [kg]
   double point_volume() const { return mass_ / material_.density; } // [m^3]
 
-  /// What the last evaluate() broke; a bond with ends on two ranks stands on both.
+  /// What the last break_bonds() broke; a bond with ends on two ranks stands on both.
   const std::vector<BrokenBonds> &broken() const { return broken_; }
   std::size_t n_broken_entries() const { return n_broken_; }
   /// Calls visit(p, q, k) for the bond k from point p to q of each of them.
@@ -125,6 +116,8 @@ public:
 
   /// Bonds of the body; each counted once, over all ranks, a mirrored one half. Collective, slow.
   double count_bonds() const;
+  /// Bonds broken so far, each once, of both halves of a symmetric body. Collective.
+  double n_broken_bonds() const;
   /// The same, broken ones included.
   double count_sound_bonds() const;
 
@@ -158,7 +151,11 @@ private:
   int family_size(std::ptrdiff_t index, const std::uint8_t *bonds) const;
   void set_families();
   void find_bond_ranges();
+  void compute_dilatation(const BondTable &table);
   void weigh_dilatation();
+  void mark_damaged();
+  void add_bond_forces(bool energy);
+  void add_relaxing_forces(const ForceRequest &request);
 
   MPI_Comm communicator_;
   int number_;
@@ -182,6 +179,8 @@ private:
   std::vector<std::uint8_t> watched_bonds_; // workspace of points_stretched()
   std::vector<double> watched_theta_;
   std::size_t n_broken_ = 0;
+  bool has_dilatation_  = false; // of the present positions, by break_bonds()
+  std::unique_ptr<FractureEnergy> fracture_;
 };
 
 template <class Visitor>

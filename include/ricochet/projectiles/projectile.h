@@ -1,34 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a simulation asks of its projectile, rigid or deformable. One step is
-//   begin(); touch() each plate; [energies();] advance(); record_work() with each plate
-// All energies, forces and momenta are those of the full model, also with a symmetry plane.
+// A projectile, rigid or deformable: a body that the plates' points touch.
 #pragma once
 
+#include "ricochet/bodies/body.h"
 #include "ricochet/contact/rigid_contact.h"
 #include "ricochet/output/frame.h"
 #include "ricochet/scene/scene.h"
 
 namespace ricochet
 {
-class Projectile
+class Projectile : public Body
 {
 public:
   using Motion   = RigidBody::Motion;
   using Reaction = RigidContact::Reaction;
-
-  struct Energies
-  {
-    double kinetic; // [J]
-    double elastic; // stored in its deformation [J]
-  };
-
-  struct Momenta
-  {
-    Vector3 linear;  // [kg m/s]
-    Vector3 angular; // about the origin [kg m^2/s]
-  };
-
-  virtual ~Projectile() = default;
 
   const BodyOfRevolution &body() const { return body_; } // undeformed
   double mass() const { return mass_; }                  // [kg]
@@ -41,21 +26,12 @@ public:
   virtual std::pair<Vector3, Vector3> bounding_box() const = 0;
   virtual SurfaceFrame surface() const                     = 0;
 
-  /// Internal forces at the present time, with `energy` the stored energy too.
-  virtual void begin(bool energy)                                                       = 0;
   /// Adds the forces of contact to plate number `plate` and to the body. Collective.
-  virtual Reaction touch(std::size_t plate, PeridynamicBody &points)                    = 0;
-  /// Kick and drift; `reaction` of all plates.
-  virtual void advance(const Reaction &reaction, double dt)                             = 0;
-  /// The work of friction in this step on the plate's points, after their kick.
+  virtual Reaction add_contact_forces(std::size_t plate, PeridynamicBody &points)       = 0;
+  /// The work of friction in this step on the plate's points, after their kick [s].
   virtual void record_work(std::size_t plate, const PeridynamicBody &points, double dt) = 0;
-
-  /// At the present time, before advance().
-  virtual Energies energies(const Reaction &reaction, double dt) const = 0;
-  /// Of half a step before the present time.
-  virtual Momenta momenta() const                                      = 0;
-  /// Work of friction on body and points so far; minus the heat [J]. Collective.
-  virtual double friction_work() const                                 = 0;
+  /// Work of friction on body and points so far, both halves; minus the heat [J]. Collective.
+  virtual double friction_work() const                                                  = 0;
 
   /// Largest squared frequency of the body itself, contact springs included; 0 if rigid [1/s^2].
   virtual double squared_frequency() const = 0;

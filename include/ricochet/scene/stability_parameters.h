@@ -13,7 +13,7 @@ namespace ricochet
 enum class StepLimit
 {
   measured, // by power iteration of the body
-  predicted // from plane waves, dynamics/dispersion.h
+  predicted // from plane waves, coupling/dispersion.h
 };
 
 struct StabilityParameters

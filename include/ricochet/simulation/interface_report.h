@@ -19,7 +19,7 @@ struct InterfaceReport
   PatchReport patch;
   double frequency;         // largest, power-iterated [rad/s]
   double step_limit;        // 2 / frequency [s]
-  double predicted_limit;   // by the dispersion of lattice and cubes, see dynamics/dispersion.h [s]
+  double predicted_limit;   // by the dispersion of lattice and cubes, see coupling/dispersion.h [s]
   double time_step;         // of the run [s]
   double share_of_volume;   // peridynamic [-]
   double seconds_per_force; // measured, points and elements [s]

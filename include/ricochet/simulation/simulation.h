@@ -1,51 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One impact: plates, projectile and all forces between them, and the time step. Knows neither
-// files nor the clock on the wall; commands/run.h does. One step reads
-//   ghosts <- positions;  bonds broken;  f = bonds + projectile contact + debris contact;  v += f
-//   dt/m;  x += v dt
+// One impact: plates, projectile and contact between them, built from a scene, and the time step.
+// How a step goes stands in dynamics/leapfrog.h. Knows neither files nor the clock on the wall.
 #pragma once
 
 #include "ricochet/contact/short_range_contact.h"
-#include "ricochet/coupling/adaptive_zone.h"
-#include "ricochet/dynamics/power_iteration.h"
-#include "ricochet/peridynamics/fracture_energy.h"
-#include "ricochet/projectiles/projectile.h"
-#include "ricochet/simulation/plate_zone.h"
+#include "ricochet/coupling/adaptive_plate.h"
+#include "ricochet/dynamics/largest_frequency.h"
+#include "ricochet/dynamics/leapfrog.h"
+#include "ricochet/projectiles/projectile_contact.h"
+#include "ricochet/simulation/energy_balance.h"
 
 namespace ricochet
 {
-/// All energies are those of the full model, also with a symmetry plane [J].
-struct EnergyBalance
+/// A plate as it is computed.
+struct Plate
 {
-  double projectile; // kinetic
-  double elastic;    // in a deformable projectile
-  double kinetic;    // of the plates
-  double strain;     // in intact bonds and elements
-  double hourglass;  // in the hourglass modes of one-point elements
-  double conversion; // lost where elements became points
-  double contact;    // in the penalty springs between projectile and plates
-  double debris;     // in the repulsion of debris
-  double friction;   // turned into heat between projectile and plates
-  double fracture;   // released by broken bonds
-  double initial;    // kinetic energy of the projectile at the start
-  double viscous;    // turned into heat by relaxation
-  double absorbed;   // by edges that do not reflect
-  /// Turned into heat between plates and in debris.
-  double debris_friction;
-
-  double residual() const
-  {
-    return initial - projectile - elastic - kinetic - strain - hourglass - conversion - contact -
-           debris - friction - debris_friction - fracture - viscous - absorbed;
-  }
-};
-
-/// Total momenta of the full model; with a symmetry plane only the components that it leaves free
-/// are non-zero.
-struct MomentumBalance
-{
-  Vector3 linear;  // [kg m/s]
-  Vector3 angular; // about the origin [kg m^2/s]
+  std::unique_ptr<Body> body;
+  PeridynamicBody *points; // all of the body or its peridynamic part
+  AdaptivePlate *coupled;  // the body if elements carry a part of it, else null
+  std::string zone_reason; // why the zone is as it is, for the user
 };
 
 class Simulation
@@ -55,10 +28,10 @@ public:
   /// a plate.
   Simulation(MPI_Comm communicator, const Scene &scene);
 
-  /// Forces at the present time; with `energy` strain energies too, so that energies() may be
-  /// called.
-  void evaluate(bool energy);
-  /// To the next time: kick and drift. Call after evaluate().
+  /// Forces at the present time; with `energy` stored energies too, so that energies() may be
+  /// called. Collective.
+  void compute_forces(bool energy);
+  /// To the next time; call after compute_forces(). Collective.
   void advance();
 
   double time() const { return time_; } // [s]
@@ -67,22 +40,18 @@ public:
 
   const Scene &scene() const { return scene_; }
   const Projectile &projectile() const { return *projectile_; }
-  const RigidContact::Reaction &reaction() const
-  {
-    return reaction_;
-  } // of all plates, at the last evaluate()
-  const std::vector<std::unique_ptr<PeridynamicBody>> &plates() const { return plates_; }
-  /// Per plate; null if it is peridynamic throughout.
-  const std::vector<std::unique_ptr<CoupledPlate>> &coupled_plates() const
-  {
-    return coupled_plates_;
-  }
-  const std::vector<PlateZone> &zones() const { return zones_; } // per plate
-  /// Per plate; null if it is peridynamic throughout.
-  const std::vector<std::unique_ptr<AdaptiveZone>> &adaptive_zones() const
-  {
-    return adaptive_zones_;
-  }
+  /// Of all plates on the projectile, at the last compute_forces().
+  const RigidContact::Reaction &reaction() const { return projectile_contact_->record(); }
+
+  std::size_t n_plates() const { return plates_.size(); }
+  const Plate &plate(const std::size_t i) const { return plates_[i]; }
+  /// The peridynamic points of each plate, from top to bottom.
+  std::vector<const PeridynamicBody *> plates() const;
+  std::vector<PeridynamicBody *> plates();
+  /// Null if the plate is peridynamic throughout.
+  const AdaptivePlate *coupled_plate(const std::size_t i) const { return plates_[i].coupled; }
+  AdaptivePlate *coupled_plate(const std::size_t i) { return plates_[i].coupled; }
+
   const MaterialParameters &material(std::size_t plate) const;
   double critical_stretch(std::size_t plate) const; // [-]
 
@@ -90,11 +59,11 @@ public:
   /// [m].
   std::pair<Vector3, Vector3> target_box() const;
 
-  /// Collective; after evaluate(true), before advance().
+  /// Collective; after compute_forces(true), before advance().
   EnergyBalance energies() const;
   /// Of the half step before the present time. Collective.
   MomentumBalance momenta() const;
-  double broken_bonds() const; // each once, both halves; collective
+  double broken_bonds() const; // so far, each once, both halves; collective
   /// Box around the damaged points of a plate in the reference configuration, of the model as
   /// computed [m]; low > high if there are none. Collective.
   std::pair<Vector3, Vector3> damaged_box(std::size_t plate) const;
@@ -125,31 +94,26 @@ public:
   const std::vector<FrequencyEstimate> &frequencies() const { return frequencies_; }
 
 private:
-  void build_plates();
   void build_projectile();
+  void refuse_overlap();
+  void build_contact();
+  double contact_stiffness(const PeridynamicBody &plate) const; // [N/m]
   void choose_time_step();
   /// Of all plates, whose elastic force evaluations take so long [s].
   void start_relaxation(const std::vector<double> &elastic_seconds);
 
   MPI_Comm communicator_;
   Scene scene_;
-  double multiplicity_; // 2 with a symmetry plane
-  std::vector<PlateZone> zones_;
-  std::vector<std::unique_ptr<PeridynamicBody>> plates_;
-  std::vector<std::unique_ptr<CoupledPlate>> coupled_plates_;
-  std::vector<std::unique_ptr<AdaptiveZone>> adaptive_zones_;
-  std::vector<FractureEnergy> fractures_; // per plate
-  std::unique_ptr<ShortRangeContact> debris_;
+  std::vector<Plate> plates_;
   std::unique_ptr<FrictionLaw> friction_law_;
   std::unique_ptr<Projectile> projectile_;
-  RigidContact::Reaction reaction_;
+  std::unique_ptr<ProjectileContact> projectile_contact_;
+  std::unique_ptr<ShortRangeContact> short_range_contact_;
+  std::unique_ptr<Leapfrog> integrator_;
   TimeStepInfo time_step_info_;
   std::vector<FrequencyEstimate> frequencies_;
   double time_ = 0., dt_ = 0.;
   long step_             = 0;
   double initial_energy_ = 0.;
 };
-
-/// s_c from the material: given, or from the energy release rate on this stencil [-].
-double critical_stretch(const MaterialParameters &material, const Stencil &stencil);
 } // namespace ricochet

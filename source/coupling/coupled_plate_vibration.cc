@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/dynamics/coupled_time_step.h"
+#include "ricochet/coupling/coupled_plate.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ricochet
@@ -10,31 +9,29 @@ namespace
 {
 /// Free points and nodes; |u|^2 = sum m u^2, |f|^2 = f M^-1 f, in which M^-1 K is symmetric, the
 /// corrected mass of the nodes included.
-class CoupledVibration
+class CoupledPlateVibration : public Vibration
 {
 public:
-  CoupledVibration(const MPI_Comm communicator, CoupledPlate &plate) :
-    communicator_(communicator), plate_(plate), points_(plate.points()),
+  explicit CoupledPlateVibration(CoupledPlate &plate) :
+    communicator_(plate.communicator()), plate_(plate), points_(plate.points()),
     elements_(plate.elements()), lattice_(points_.lattice()), a_(points_.state().arrays)
   {
     double mass = elements_.total_mass();
     double own  = 0.;
     for_each_free([&](std::ptrdiff_t) { own += points_.point_mass(); });
-    MPI_Allreduce(MPI_IN_PLACE, &own, 1, MPI_DOUBLE, MPI_SUM, communicator);
-    // A root mean square displacement of 1e-6 spacings: linear, and far above rounding.
-    amplitude_ = 1e-6 * lattice_.box().spacing * std::sqrt(mass + own);
+    MPI_Allreduce(MPI_IN_PLACE, &own, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    size_ = amplitude * lattice_.box().spacing * std::sqrt(mass + own);
   }
 
-  void excite()
+  void excite() override
   {
     // The highest modes alternate from point to point; all symmetry classes take part.
     const auto start = [&](const Vector3 &X, const int d)
     {
-      const Vector3 c    = (X - lattice_.box().corner) / lattice_.box().spacing;
-      const double noise = std::sin(12.9898 * c[0] + 78.233 * c[1] + 37.719 * c[2] + 4.1 * d);
-      const long sum = std::lround(std::floor(c[0])) + std::lround(std::floor(c[1])) * (d == 1) +
+      const Vector3 c = (X - lattice_.box().corner) / lattice_.box().spacing;
+      const long sum  = std::lround(std::floor(c[0])) + std::lround(std::floor(c[1])) * (d == 1) +
                        std::lround(std::floor(c[2])) * (d == 2);
-      return (sum % 2 ? -1. : 1.) + noise;
+      return (sum % 2 ? -1. : 1.) + noise(c, d);
     };
     for_each_free(
         [&](const std::ptrdiff_t p)
@@ -49,7 +46,7 @@ public:
             elements_.mass(node) * start(0.5 * mesh.reference_position(node), d);
   }
 
-  double response() const
+  double response() const override
   {
     double sum = elements_.squared_force();
     for_each_free(
@@ -62,11 +59,11 @@ public:
     return std::sqrt(sum);
   }
 
-  double response_of_unit() const { return amplitude_; }
+  double response_of_unit() const override { return size_; }
 
-  void displace(const double norm)
+  void displace(const double norm) override
   {
-    const double factor = -amplitude_ / norm;
+    const double factor = -size_ / norm;
     for_each_free(
         [&](const std::ptrdiff_t p)
         {
@@ -84,15 +81,15 @@ public:
       }
   }
 
-  void evaluate()
+  void evaluate() override
   {
     plate_.lead();
-    points_.update_ghosts();
-    points_.evaluate(/*breaking=*/false, /*energy=*/false);
-    plate_.evaluate(/*energy=*/false);
+    plate_.update_ghosts();
+    plate_.compute_internal_forces({});
+    plate_.complete_forces();
   }
 
-  void rest() { plate_.rest(); }
+  void rest() override { plate_.rest(); }
 
 private:
   template <class Visitor>
@@ -116,14 +113,12 @@ private:
   FiniteElementBody &elements_;
   const Lattice &lattice_;
   LatticeArrays &a_;
-  double amplitude_; // |u| [m sqrt(kg)]
+  double size_; // |u| [m sqrt(kg)]
 };
 } // namespace
 
-FrequencyEstimate estimate_largest_frequency(const MPI_Comm communicator, CoupledPlate &plate,
-                                             const int n_iterations)
+std::unique_ptr<Vibration> CoupledPlate::vibration()
 {
-  CoupledVibration vibration(communicator, plate);
-  return power_iteration(communicator, vibration, n_iterations);
+  return std::make_unique<CoupledPlateVibration>(*this);
 }
 } // namespace ricochet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/dynamics/dispersion.h"
+#include "ricochet/coupling/dispersion.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // V9: plane waves in lattice and elements against numbers of an independent prototype (speeds for
 // nu = 0.35).
-#include "dynamics/finite_element_time_step.h"
-#include "ricochet/dynamics/dispersion.h"
-#include "ricochet/dynamics/stable_time_step.h"
+#include "ricochet/coupling/dispersion.h"
+#include "ricochet/dynamics/largest_frequency.h"
 #include "support/body.h"
 
 #include <Eigen/Eigenvalues>
@@ -155,9 +154,8 @@ TEST(Dispersion, BlockOfElementsHasTheFrequencyOfTheirOwnForceRoutine)
       options.hourglass_coefficient = coefficient;
       FiniteElementBody body(MPI_COMM_SELF, {Vector3::Zero(), 2. * dx, {3, 3, 3}, false, {}},
                              material, options);
-      const double measured =
-          estimate_largest_frequency(MPI_COMM_SELF, body, 1000).squared_frequency;
-      const double dense = ElementDispersion(2. * dx, material, quadrature, coefficient)
+      const double measured = largest_frequency(MPI_COMM_SELF, body, 1000).squared_frequency;
+      const double dense    = ElementDispersion(2. * dx, material, quadrature, coefficient)
                                .largest_squared_frequency_of_block(3);
       // Power iteration comes from below; displacements of 1e-6 edges are linear to that order.
       EXPECT_NEAR(measured / dense, 1., 1e-3) << coefficient;
@@ -173,7 +171,7 @@ TEST(Dispersion, PredictsTheStepOfABlockOfPoints)
   const auto body      = make_body(sample);
   const auto predicted = predicted_time_step(*body);
   const double measured =
-      2. / std::sqrt(estimate_largest_frequency(MPI_COMM_SELF, *body, 200).squared_frequency);
+      2. / std::sqrt(largest_frequency(MPI_COMM_SELF, *body, 200).squared_frequency);
   EXPECT_EQ(predicted.step(), predicted.points);
   // The infinite lattice is the stiffest; a block of 16 points comes near.
   EXPECT_GT(measured, predicted.points * (1. - 1e-6));

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How a CoupledProjectileBody moves; what it is made of stands in coupled_projectile_body.cc.
+#include "ricochet/coupling/coupled_projectile_body.h"
+
+#include "ricochet/base/units.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <sstream>
+
+namespace ricochet
+{
+namespace
+{
+Vector3 value_of(const std::array<double *, 3> &field)
+{
+  return {*field[0], *field[1], *field[2]};
+}
+
+/// |u|^2 = sum m u^2, |f|^2 = sum f^2/m.
+class CoupledProjectileVibration : public Vibration
+{
+public:
+  explicit CoupledProjectileVibration(CoupledProjectileBody &body) :
+    body_(body), size_(amplitude * body.spacing() * std::sqrt(body.mass()))
+  {
+  }
+
+  void excite() override
+  {
+    // Unweighted by mass: the highest modes live where there is little of it.
+    double number = 0.;
+    for (const auto &point : body_.mass_points())
+    {
+      for (int d = 0; d < 3; ++d)
+        *point.force[d] = noise(Vector3(number, 0., 0.), d);
+      ++number;
+    }
+  }
+
+  double response() const override
+  {
+    double sum = 0.;
+    for (const auto &point : body_.mass_points())
+      for (int d = 0; d < 3; ++d)
+        sum += *point.force[d] * *point.force[d] * point.mobility[d];
+    return std::sqrt(sum);
+  }
+
+  double response_of_unit() const override { return size_; }
+
+  void displace(const double norm) override
+  {
+    for (const auto &point : body_.mass_points())
+      for (int d = 0; d < 3; ++d)
+        *point.position[d] =
+            point.reference[d] - size_ * *point.force[d] * point.mobility[d] / norm;
+    body_.lead();
+  }
+
+  void evaluate() override
+  {
+    body_.update_ghosts();
+    body_.compute_internal_forces({});
+  }
+  void rest() override { body_.rest(); }
+
+private:
+  CoupledProjectileBody &body_;
+  double size_; // |u| [m sqrt(kg)]
+};
+} // namespace
+
+void CoupledProjectileBody::lead()
+{
+  if (!elements_)
+    return;
+  auto &a = peridynamic_->state().arrays;
+  for (const int i : slaved_)
+    for (int d = 0; d < 3; ++d)
+    {
+      double x = 0.;
+      for (const auto &[number, weight] : points_[i].follows)
+        x += weight * *mass_points_[number].position[d];
+      a.position[d][index_[i]] = x;
+    }
+}
+
+void CoupledProjectileBody::compute_internal_forces(const ForceRequest &request)
+{
+  peridynamic_->compute_internal_forces(request);
+  if (elements_)
+    elements_->compute_internal_forces(request);
+  hand_on();
+  if (!request.energy)
+    return;
+  stored_ = 0.;
+  for (const auto p : index_)
+    stored_ += peridynamic_->state().arrays.energy[p];
+  if (elements_)
+  {
+    const auto e = elements_->energies(0.);
+    stored_ += e.strain + e.hourglass;
+  }
+}
+
+/// Contact acts on mass points alone, so this need not wait for it.
+void CoupledProjectileBody::hand_on()
+{
+  const auto &a = peridynamic_->state().arrays;
+  for (const int i : slaved_)
+    for (const auto &[number, weight] : points_[i].follows)
+      for (int d = 0; d < 3; ++d)
+        *mass_points_[number].force[d] += weight * a.force[d][index_[i]];
+}
+
+void CoupledProjectileBody::advance(const double kick, const double drift)
+{
+  peridynamic_->advance(kick, drift);
+  if (elements_)
+    elements_->advance(kick, drift);
+  lead();
+}
+
+void CoupledProjectileBody::rest()
+{
+  for (const auto &point : mass_points_)
+    for (int d = 0; d < 3; ++d)
+    {
+      *point.position[d] = point.reference[d];
+      *point.velocity[d] = *point.force[d] = 0.;
+    }
+  lead();
+}
+
+Energies CoupledProjectileBody::energies(const double dt) const
+{
+  Energies e;
+  e.strain = stored_;
+  for (const auto &point : mass_points_)
+    for (int d = 0; d < 3; ++d)
+      e.kinetic +=
+          0.5 * *point.velocity[d] * (point.mass * *point.velocity[d] + dt * *point.force[d]);
+  return e;
+}
+
+Momenta CoupledProjectileBody::momenta() const
+{
+  Momenta m;
+  for (const auto &point : mass_points_)
+  {
+    const Vector3 x = value_of(point.position), v = value_of(point.velocity);
+    m.linear += point.mass * v;
+    m.angular += point.mass * x.cross(v);
+  }
+  return m;
+}
+
+std::unique_ptr<Vibration> CoupledProjectileBody::vibration()
+{
+  return std::make_unique<CoupledProjectileVibration>(*this);
+}
+
+std::string CoupledProjectileBody::first_not_finite() const
+{
+  for (const auto &point : mass_points_)
+    for (const auto *field : {&point.position, &point.velocity, &point.force})
+      if (!value_of(*field).allFinite())
+      {
+        std::ostringstream text;
+        text << "The motion of the projectile's mass point at ("
+             << point.reference.transpose() / units::mm << ") mm";
+        return text.str();
+      }
+  return "";
+}
+} // namespace ricochet

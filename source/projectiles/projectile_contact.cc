@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/projectiles/projectile_contact.h"
+
+namespace ricochet
+{
+void ProjectileContact::add_forces(double)
+{
+  record_ = {};
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+  {
+    auto part = projectile_.add_contact_forces(i, *plates_[i]);
+    part.deepest /= plates_[i]->lattice().box().spacing;
+    record_ += part;
+  }
+}
+
+void ProjectileContact::record_work(const double dt)
+{
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+    projectile_.record_work(i, *plates_[i], dt);
+}
+} // namespace ricochet
