@@ -89,7 +89,7 @@ void expect_transpose(const int points_per_edge)
   for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
     for (int d = 0; d < 3; ++d)
       elements.position()[3 * node + d] = noise(elements.mesh().reference_position(node), d);
-  slaved.follow(elements, plate.points->state());
+  slaved.interpolate_to_slaved_points(elements, plate.points->state());
   auto &a          = plate.points->state().arrays;
   double on_points = 0., magnitude = 0.;
   Vector3 sum = Vector3::Zero();
@@ -105,7 +105,7 @@ void expect_transpose(const int points_per_edge)
                     }
                   });
   std::vector<double> nodal(elements.force().size(), 0.);
-  slaved.hand_on(plate.points->state(), nodal);
+  slaved.add_transposed(plate.points->state(), nodal);
   double on_nodes = 0.;
   Vector3 handed  = Vector3::Zero();
   for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
