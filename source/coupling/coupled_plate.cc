@@ -321,9 +321,7 @@ void CoupledPlate::rest()
         }
       });
   points_.state().zero(lattice, a.theta);
-  elements_.position() = elements_.mesh().reference();
-  std::fill(elements_.velocity().begin(), elements_.velocity().end(), 0.);
-  std::fill(elements_.force().begin(), elements_.force().end(), 0.);
+  elements_.rest();
   lead();
   points_.update_ghosts();
 }

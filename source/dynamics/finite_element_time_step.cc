@@ -71,12 +71,7 @@ public:
     body_.evaluate(/*energy=*/false);
   }
 
-  void rest()
-  {
-    body_.position() = mesh_.reference();
-    std::fill(body_.velocity().begin(), body_.velocity().end(), 0.);
-    std::fill(body_.force().begin(), body_.force().end(), 0.);
-  }
+  void rest() { body_.rest(); }
 
 private:
   MPI_Comm communicator_;

@@ -51,15 +51,17 @@ TEST(SlavedPoints, FollowLinearFieldsExactly)
     F << 1.1, 0.2, -0.1, 0.05, 0.9, 0.3, -0.2, 0.1, 1.2;
     const Vector3 c(1e-3, -2e-3, 3e-3);
     auto &elements = plate.far->elements();
+    auto velocity  = elements.velocity();
     for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
     {
       const Vector3 X = elements.mesh().reference_position(node), x = F * X + c, v = 1e3 * x;
       for (int d = 0; d < 3; ++d)
       {
         elements.position()[3 * node + d] = x[d];
-        elements.velocity()[3 * node + d] = v[d];
+        velocity[3 * node + d]            = v[d];
       }
     }
+    elements.set_velocity(velocity);
     plate.far->lead();
     double n = 0.;
     for_each_slaved(plate,
