@@ -23,7 +23,7 @@ public:
                  double density, const std::vector<int> &elements, int points_per_edge);
 
   /// The momentum that belongs to these velocities (three numbers per local node, of which those of
-  /// owned nodes count). Collective.
+  /// owned nodes count). Throws RunError if it is not found. Collective.
   void find_momentum(const std::vector<double> &velocity);
 
   /// Forces on owned nodes f become f + (M_L - M_C) M_L^-1 f; entries of ghosts must be zero [N].
@@ -43,9 +43,14 @@ public:
   void add_mass_difference(const std::vector<double> &acceleration,
                            std::vector<double> &force) const;
 
+  /// All eigenvalues of M_L^-1 (2 M_L - M_C) lie between these: an edge's consistent mass has
+  /// eigenvalues between 0 and 1 times those of its lumped mass, hence so have a cube's, their
+  /// products, and a mesh's, of cubes.
+  static constexpr double smallest_eigenvalue = 1., largest_eigenvalue = 2.;
+
 private:
   void multiply(std::vector<double> &x, std::vector<double> &result) const;
-  double product(const std::vector<double> &x, const std::vector<double> &y) const;
+  double squared_norm(const std::vector<double> &residual) const;
 
   MPI_Comm communicator_;
   const HexMesh &mesh_;
