@@ -47,7 +47,9 @@ TEST(AbsorbingBoundary, PullsBackWithTheImpedanceOfBothWaves)
   EXPECT_LT((block.sum_of_forces() - expected).norm(), 1e-8 * expected.norm());
   for (int node = 0; node < block.mesh.n_owned_nodes(); ++node)
     if (block.mesh.reference_position(node).x() < 2.9 * h)
+    {
       EXPECT_EQ(at(block.force, node), Vector3(Vector3::Zero())) << "not on the face";
+    }
   EXPECT_NEAR(block.boundary.absorbed(), -dt * expected.dot(v), 1e-8 * block.boundary.absorbed());
 }
 
