@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "element_groups.h"
 
+#include "ricochet/base/elastic_constants.h"
 #include "ricochet/base/voigt.h"
 
 #include <algorithm>
@@ -16,11 +17,6 @@ enum
 };
 
 constexpr int block_size = ElementHistory::block_size;
-
-double youngs_modulus(const FiniteElementMaterial &m)
-{
-  return 9. * m.bulk_modulus * m.shear_modulus / (3. * m.bulk_modulus + m.shear_modulus);
-}
 
 /// S += C : E with the mean of the Gauss points' tensors.
 void add_mean_product(const HexTensors &tensors, const int lane, const Eigen::Matrix3d &E,
@@ -171,7 +167,8 @@ void ElementGroups::restore_histories()
 
 HexGroup ElementGroups::view(const Group &group) const
 {
-  const double k = hourglass_coefficient_ * youngs_modulus(material_);
+  const double k =
+      hourglass_coefficient_ * youngs_modulus(material_.bulk_modulus, material_.shear_modulus);
   return {group.blocks.data(),
           group.tensors.empty() ? nullptr : group.tensors.data(),
           static_cast<int64_t>(group.elements.size()),
