@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/coupling/cell_forces.h"
 
+#include "ricochet/base/voigt.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace ricochet
 {
@@ -25,20 +28,23 @@ int cells_for(const int points, const Zone &zone)
 }
 } // namespace
 
-std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, const bool mirrored,
-                           const bool alike)
+int mending_range(const Stencil &stencil)
 {
-  // Bonds reach as far as the halo is wide; a little more, as tensors depend on their neighbours.
-  const int around = alike ? cells_for(2, zone) : std::max(cells_for(4, zone), zone.halo_layers());
-  const int faces =
-      alike ? cells_for(6, zone) : std::max(cells_for(10, zone), 2 * zone.halo_layers());
-  // FNV-1a over small numbers.
-  std::uint64_t hash = 14695981039346656037ull;
-  const auto add     = [&](const int value)
-  {
-    hash ^= static_cast<std::uint64_t>(value);
-    hash *= 1099511628211ull;
-  };
+  return static_cast<int>(std::ceil(2. * stencil.horizon / stencil.spacing - 1e-9));
+}
+
+CellPattern cell_pattern(const Zone &zone, const Zone::Cell &cell, const Stencil &stencil,
+                         const bool mirrored, const bool alike)
+{
+  // What a cell's bonds do depends on the cells that they reach, and on faces that the bonds of
+  // their ends reach. Its tensor depends on its neighbours, which do the same: once more the reach,
+  // and for the faces once more the range over which nodes are mended.
+  const int reach  = stencil.reach;
+  const int around = cells_for(alike ? reach : 2 * reach, zone),
+            faces  = cells_for(mending_range(stencil) + (alike ? 0 : 2 * reach), zone);
+  CellPattern pattern;
+  const auto add = [&](const int value)
+  { pattern.push_back(static_cast<char>(static_cast<unsigned char>(value))); };
   for (int i = -around; i <= around; ++i)
     for (int j = -around; j <= around; ++j)
       for (int k = -around; k <= around; ++k)
@@ -53,7 +59,7 @@ std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, const bool 
     add(mirrored && d == 1 ? faces : std::min(faces, cell[d]));
     add(std::min(faces, zone.n_cells()[d] - 1 - cell[d]));
   }
-  return hash;
+  return pattern;
 }
 
 CellForces::CellForces(const PeridynamicBody &points, const ElasticModuli &moduli) :
@@ -77,13 +83,13 @@ CellForces::CellForces(const PeridynamicBody &points, const ElasticModuli &modul
                 points.bond_constants()[k].extension};
       for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j)
-          bond.extension[voigt_number[i][j]] = unit[i] * unit[j] * o.length;
+          bond.extension[voigt::number[i][j]] = unit[i] * unit[j] * o.length;
       bulk_stress_ += bond.full_stiffness * o.length;
       bonds_.push_back(bond);
     }
 }
 
-const CellForces::Entry &CellForces::of(const Zone::Cell &cell, const std::uint64_t pattern)
+const CellForces::Entry &CellForces::of(const Zone::Cell &cell, const CellPattern &pattern)
 {
   auto entry = entries_.find(pattern);
   if (entry == entries_.end())

@@ -283,7 +283,7 @@ std::vector<ElementStiffness> CoupledPlate::blended_stiffness() const
 void CoupledPlate::lead()
 {
   elements_.update_ghosts();
-  slaved_.follow(elements_, points_->state());
+  slaved_.interpolate_to_slaved_points(elements_, points_->state());
 }
 
 void CoupledPlate::start_relaxation(const double dt)
@@ -303,7 +303,7 @@ void CoupledPlate::hand_on()
   if (options_.coupling.method == CouplingMethod::force_blend)
     blend_forces();
   else
-    slaved_.hand_on(points_->state(), elements_.force());
+    slaved_.add_transposed(points_->state(), elements_.force());
 }
 
 void CoupledPlate::complete_forces()
@@ -330,7 +330,7 @@ void CoupledPlate::rest()
 void CoupledPlate::blend_forces()
 {
   bond_force_.assign(elements_.force().size(), 0.);
-  slaved_.hand_on(points_->state(), bond_force_);
+  slaved_.add_transposed(points_->state(), bond_force_);
   for (std::size_t i = 0; i < 3 * bond_share_.size(); ++i)
   {
     const double share   = bond_share_[i / 3];
@@ -427,7 +427,7 @@ bool CoupledPlate::convert(const std::vector<Zone::Cells> &cells)
                           return !was_free[zone_->number(cell)] &&
                                  zone_->layer(cell) < zone_->far();
                         });
-  starting.follow(elements_, points_->state());
+  starting.interpolate_to_slaved_points(elements_, points_->state());
   if (points_->history() != nullptr)
   {
     const auto nodal = nodal_histories();

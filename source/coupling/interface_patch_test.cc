@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/coupling/interface_patch_test.h"
 
-#include "ricochet/coupling/cell_forces.h"
+#include "surface_layers.h"
+
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_cg.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +18,8 @@ namespace
 // Small enough to be linear, large enough that extensions survive the cancellation |xi + eta| -
 // |xi|.
 constexpr double strain = 1e-6;
+
+using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
 class Patch
 {
@@ -35,17 +41,18 @@ public:
     const double of_points = std::cbrt(1. / plate.points().point_mass());
     for (const auto p : points_)
       for (int d = 0; d < 3; ++d)
-        softness_.push_back(in_skin(point_at(p)) ? 0. : of_points);
+        softness_.push_back(in_softened_layer(lattice_, point_at(p)) ? 0. : of_points);
     for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
       for (int d = 0; d < 3; ++d)
-        softness_.push_back(in_skin(mesh_.reference_position(node))
+        softness_.push_back(in_softened_layer(lattice_, mesh_.reference_position(node))
                                 ? 0.
                                 : std::cbrt(plate.elements().inverse_mass(node, d)));
+    number_unknowns();
   }
 
   /// Displaces everything to the gradient H times X plus u, and returns the forces on what is
   /// released.
-  std::vector<double> forces(const Eigen::Matrix3d &H, const std::vector<double> &u)
+  std::vector<double> forces(const Eigen::Matrix3d &H, const std::vector<double> &u) const
   {
     std::size_t i = 0;
     for (const auto p : points_)
@@ -78,47 +85,51 @@ public:
     return f;
   }
 
-  /// Solves K u = f; returns the number of iterations.
-  int relax(const std::vector<double> &f, const int most_iterations, const double residual_left,
-            std::vector<double> &u)
+  struct Relaxation
   {
-    const Eigen::Matrix3d none   = Eigen::Matrix3d::Zero();
-    // Forces are linear in displacements of this size only.
-    const double size            = strain * edge_;
-    std::vector<double> residual = f, softened = soften(f), direction = softened;
-    double squared       = product(residual, softened);
-    const double at_last = residual_left * residual_left * squared;
-    int iteration        = 0;
-    for (; iteration < most_iterations && squared > at_last; ++iteration)
+    int n_iterations;
+    bool converged;
+  };
+  /// Solves K u = f by conjugate gradients. With S^2 the softness the solver sees S K S (u/S) = S
+  /// f: its norm of the residual is the preconditioner's, the square root of f S^2 f.
+  Relaxation relax(const std::vector<double> &f, const int most_iterations,
+                   const double residual_left, std::vector<double> &u) const
+  {
+    Vector load(unknowns_, communicator_), scaled(unknowns_, communicator_);
+    for (std::size_t k = 0; k < f.size(); ++k)
+      load.local_element(k) = std::sqrt(softness_[k]) * f[k];
+    dealii::SolverControl control(most_iterations, residual_left * load.l2_norm(),
+                                  /*log_history=*/false, /*log_result=*/false);
+    try
     {
-      double largest = 0.;
-      for (const double d : direction)
-        largest = std::max(largest, std::abs(d));
-      MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
-      const double scale = size / largest;
-      std::vector<double> moved(direction.size());
-      for (std::size_t k = 0; k < moved.size(); ++k)
-        moved[k] = scale * direction[k];
-      auto image = forces(none, moved); // -K direction scale
-      for (double &value : image)
-        value /= -scale;
-      const double step = squared / product(direction, image);
-      for (std::size_t k = 0; k < u.size(); ++k)
-      {
-        u[k] += step * direction[k];
-        residual[k] -= step * image[k];
-      }
-      softened          = soften(residual);
-      const double next = product(residual, softened), beta = next / squared;
-      squared = next;
-      for (std::size_t k = 0; k < u.size(); ++k)
-        direction[k] = softened[k] + beta * direction[k];
+      dealii::SolverCG<Vector>(control).solve(*this, scaled, load, dealii::PreconditionIdentity());
     }
-    return iteration;
+    catch (const dealii::SolverControl::NoConvergence &)
+    {
+      // Reported.
+    }
+    for (std::size_t k = 0; k < u.size(); ++k)
+      u[k] = std::sqrt(softness_[k]) * scaled.local_element(k);
+    return {static_cast<int>(control.last_step()),
+            control.last_check() == dealii::SolverControl::success};
+  }
+
+  /// image = S K S x, from the forces of a displacement so small that they are linear.
+  void vmult(Vector &image, const Vector &x) const
+  {
+    std::vector<double> moved(softness_.size());
+    for (std::size_t k = 0; k < moved.size(); ++k)
+      moved[k] = std::sqrt(softness_[k]) * x.local_element(k);
+    const double scale = strain * edge_ / largest(moved);
+    for (double &value : moved)
+      value *= scale;
+    const auto f = forces(Eigen::Matrix3d::Zero(), moved);
+    for (std::size_t k = 0; k < f.size(); ++k)
+      image.local_element(k) = -std::sqrt(softness_[k]) * f[k] / scale;
   }
 
   /// Largest entry of the gradient of u, over elements and over pairs of neighbouring free points.
-  double largest_gradient(const std::vector<double> &u)
+  double largest_gradient(const std::vector<double> &u) const
   {
     forces(Eigen::Matrix3d::Zero(), u); // puts everything, slaved points too, where it belongs
     double most = 0.;
@@ -166,32 +177,15 @@ private:
   {
     return lattice_.reference_position(lattice_.coordinates(p));
   }
-  bool in_skin(const Vector3 &X) const
+  /// Those of each rank in a row.
+  void number_unknowns()
   {
-    // Points that lack neighbours, or whose neighbours do.
-    const auto &box    = lattice_.box();
-    const double skin  = 2. * lattice_.stencil().reach * box.spacing * (1. + 1e-9);
-    const Vector3 low  = X - box.corner,
-                  high = box.spacing * Vector3(box.n[0], box.n[1], box.n[2]) - low;
-    for (int d = 0; d < 3; ++d)
-      if (high[d] < skin || (low[d] < skin && !(d == 1 && box.mirror_y)))
-        return true;
-    return false;
-  }
-  /// The preconditioner: displacements of about the right size for these forces.
-  std::vector<double> soften(std::vector<double> f) const
-  {
-    for (std::size_t k = 0; k < f.size(); ++k)
-      f[k] *= softness_[k];
-    return f;
-  }
-  double product(const std::vector<double> &x, const std::vector<double> &y) const
-  {
-    double sum = 0.;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      sum += x[i] * y[i];
-    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-    return sum;
+    std::uint64_t n = softness_.size(), end = 0;
+    MPI_Scan(&n, &end, 1, MPI_UINT64_T, MPI_SUM, communicator_);
+    std::uint64_t n_all = n;
+    MPI_Allreduce(MPI_IN_PLACE, &n_all, 1, MPI_UINT64_T, MPI_SUM, communicator_);
+    unknowns_.set_size(n_all);
+    unknowns_.add_range(end - n, end);
   }
 
   MPI_Comm communicator_;
@@ -203,6 +197,7 @@ private:
   std::vector<std::ptrdiff_t> points_; // free ones
   // Per component of points_, then of owned nodes: like the inverse of its stiffness; 0 if held.
   std::vector<double> softness_;
+  dealii::IndexSet unknowns_; // of this rank, in the order of softness_
 };
 } // namespace
 
@@ -211,7 +206,8 @@ PatchReport patch_test(const MPI_Comm communicator, CoupledPlate &plate, const i
 {
   Patch patch(communicator, plate);
   const bool mirrored = plate.points().lattice().box().mirror_y;
-  PatchReport report{0., most_iterations > 0 ? 0. : std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  PatchReport report{0., most_iterations > 0 ? 0. : std::numeric_limits<double>::quiet_NaN(), 0, 0,
+                     most_iterations > 0};
   const std::vector<double> nothing(patch.size(), 0.);
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)
@@ -225,8 +221,10 @@ PatchReport patch_test(const MPI_Comm communicator, CoupledPlate &plate, const i
       ++report.n_strains;
       if (most_iterations <= 0)
         continue;
-      auto u = nothing;
-      report.n_iterations += patch.relax(f, most_iterations, residual_left, u);
+      auto u                = nothing;
+      const auto relaxation = patch.relax(f, most_iterations, residual_left, u);
+      report.n_iterations += relaxation.n_iterations;
+      report.converged    = report.converged && relaxation.converged;
       report.strain_error = std::max(report.strain_error, patch.largest_gradient(u) / strain);
     }
   patch.forces(Eigen::Matrix3d::Zero(), nothing);

@@ -30,7 +30,7 @@ struct EdgeShapes
 /// One axis of a product of shape functions: values of `inner` numbers at the two ends become such
 /// at n points, or sums back to the ends; `outer` times.
 template <int n, int outer, int inner>
-inline void spread(const double *const ends, double *const points)
+inline void interpolate_axis(const double *const ends, double *const points)
 {
   constexpr EdgeShapes<n> shapes;
   for (int o = 0; o < outer; ++o)
@@ -40,7 +40,7 @@ inline void spread(const double *const ends, double *const points)
                                           shapes.at[i][1] * ends[(2 * o + 1) * inner + k];
 }
 template <int n, int outer, int inner>
-inline void collect(const double *const points, double *const ends)
+inline void collect_axis(const double *const points, double *const ends)
 {
   constexpr EdgeShapes<n> shapes;
   for (int o = 0; o < outer; ++o)
@@ -71,7 +71,7 @@ Zone::Cell cell_at(const Lattice &lattice, const Vector3 &position)
 
 SlavedPoints::SlavedPoints(const MPI_Comm communicator, const FiniteElementBody &elements,
                            const Lattice &lattice,
-                           const std::function<bool(const Zone::Cell &)> &follows) :
+                           const std::function<bool(const Zone::Cell &)> &is_slaved) :
   points_per_edge_(lattice.zone()->points_per_edge()),
   stride_{lattice.plane_stride(), 1, lattice.row_stride()}
 {
@@ -84,7 +84,7 @@ SlavedPoints::SlavedPoints(const MPI_Comm communicator, const FiniteElementBody 
     if (std::abs(element.edge - edge) > 0.1 * edge)
       continue;
     SentCell one{cell_at(lattice, mesh.centre(element)), {}};
-    if (!follows(one.cell))
+    if (!is_slaved(one.cell))
       continue;
     for (int corner = 0; corner < 8; ++corner)
       one.node[corner] = mesh.global_node(element.nodes[corner]);
@@ -127,9 +127,9 @@ void SlavedPoints::interpolate_cells(double *const field[3]) const
     for (int corner = 0; corner < 8; ++corner)
       for (int d = 0; d < 3; ++d)
         corners[3 * corner + d] = values_[3 * cell.node[corner] + d];
-    spread<n, 4, 3>(corners, x);
-    spread<n, 2, 3 * n>(x, y);
-    spread<n, 1, 3 * n * n>(y, v);
+    interpolate_axis<n, 4, 3>(corners, x);
+    interpolate_axis<n, 2, 3 * n>(x, y);
+    interpolate_axis<n, 1, 3 * n * n>(y, v);
     for_each_point<n>(cell,
                       [&](const std::ptrdiff_t p, const int i)
                       {
@@ -151,9 +151,9 @@ void SlavedPoints::collect_forces(const LatticeState &state)
                         for (int d = 0; d < 3; ++d)
                           v[3 * i + d] = state.arrays.force[d][p];
                       });
-    collect<n, n * n, 3>(v, x);
-    collect<n, n, 2 * 3>(x, y);
-    collect<n, 1, 4 * 3>(y, corners);
+    collect_axis<n, n * n, 3>(v, x);
+    collect_axis<n, n, 2 * 3>(x, y);
+    collect_axis<n, 1, 4 * 3>(y, corners);
     for (int corner = 0; corner < 8; ++corner)
       for (int d = 0; d < 3; ++d)
         values_[3 * cell.node[corner] + d] += corners[3 * corner + d];
@@ -174,13 +174,14 @@ void SlavedPoints::interpolate(const std::vector<double> &nodal, double *const f
   }
 }
 
-void SlavedPoints::follow(const FiniteElementBody &elements, LatticeState &state)
+void SlavedPoints::interpolate_to_slaved_points(const FiniteElementBody &elements,
+                                                LatticeState &state)
 {
   interpolate(elements.position(), state.arrays.position);
   interpolate(elements.velocity(), state.arrays.velocity);
 }
 
-void SlavedPoints::hand_on(const LatticeState &state, std::vector<double> &nodal_force)
+void SlavedPoints::add_transposed(const LatticeState &state, std::vector<double> &nodal_force)
 {
   std::fill(values_.begin(), values_.end(), 0.);
   switch (points_per_edge_)

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The dashpots of FiniteElementBody.
-#include "ricochet/finite_elements/finite_element_body.h"
+#include "absorbing_boundary.h"
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 
 namespace ricochet
 {
-void FiniteElementBody::absorb_at(const std::array<bool, 6> &faces)
+AbsorbingBoundary::AbsorbingBoundary(const HexMesh &mesh, const FiniteElementMaterial &material,
+                                     const std::array<bool, 6> &faces)
 {
-  const auto &box  = mesh_.box();
-  const double rho = material_.density;
-  const double c_p = std::sqrt((material_.bulk_modulus + 4. / 3. * material_.shear_modulus) / rho),
-               c_s = std::sqrt(material_.shear_modulus / rho);
-  std::vector<double> coefficient(force_.size(), 0.);
-  for (const auto &element : mesh_.elements())
+  const auto &box  = mesh.box();
+  const double rho = material.density;
+  const double c_p = std::sqrt((material.bulk_modulus + 4. / 3. * material.shear_modulus) / rho),
+               c_s = std::sqrt(material.shear_modulus / rho);
+  std::vector<double> coefficient(mesh.reference().size(), 0.);
+  for (const auto &element : mesh.elements())
     for (int face = 0; face < 6; ++face)
     {
       const int axis = face / 2, side = face % 2;
@@ -22,26 +24,58 @@ void FiniteElementBody::absorb_at(const std::array<bool, 6> &faces)
       {
         const int node = element.nodes[corner];
         if (!faces[face] || ((corner >> axis) & 1) != side ||
-            std::abs(mesh_.reference_position(node)[axis] - plane) > 1e-6 * element.edge)
+            std::abs(mesh.reference_position(node)[axis] - plane) > 1e-6 * element.edge)
           continue;
         for (int d = 0; d < 3; ++d)
           coefficient[3 * node + d] +=
               rho * (d == axis ? c_p : c_s) * element.edge * element.edge / 4.;
       }
     }
-  mesh_.add_to_owners(coefficient.data());
-  dashpots_.clear();
-  for (int i = 0; i < 3 * mesh_.n_owned_nodes(); ++i)
+  mesh.add_to_owners(coefficient.data());
+  for (int i = 0; i < 3 * mesh.n_owned_nodes(); ++i)
     if (coefficient[i] > 0.)
       dashpots_.push_back({i, coefficient[i]});
 }
 
-/// v+ = ((1 - q) v- + dt f/m)/(1 + q) with q = c dt/2m: stable for any c, and as accurate as the
+/// Of a dashpot's node, with half the dashpot's force at either end of the step [N]:
+/// v+ = ((1 - q) v- + dt f/m)/(1 + q) with q = c dt/2m, stable for any c, and as accurate as the
 /// leapfrog scheme around it.
-double FiniteElementBody::damped_force(const Dashpot &dashpot, const double dt) const
+double AbsorbingBoundary::damped_force(const Dashpot &dashpot, const Motion &motion,
+                                       const double dt)
 {
   const int i    = dashpot.entry;
-  const double q = 0.5 * dashpot.coefficient * dt * inverse_mass_[i];
-  return (force_[i] - dashpot.coefficient * velocity_[i]) / (1. + q);
+  const double q = 0.5 * dashpot.coefficient * dt * motion.inverse_mass[i];
+  return (motion.force[i] - dashpot.coefficient * motion.velocity[i]) / (1. + q);
+}
+
+void AbsorbingBoundary::damp(const Motion &motion, const double kick, std::vector<double> &force)
+{
+  for (const auto &dashpot : dashpots_)
+  {
+    const int i           = dashpot.entry;
+    const double undamped = motion.force[i], f = damped_force(dashpot, motion, kick);
+    force[i]              = f;
+    const double v        = motion.velocity[i] + 0.5 * kick * f * motion.inverse_mass[i];
+    const Vector3 impulse = kick * (undamped - f) * Vector3::Unit(i % 3);
+    absorbed_ += kick * dashpot.coefficient * v * v;
+    carried_linear_ += impulse;
+    const double *const x = motion.position.data() + 3 * (i / 3);
+    carried_angular_ += Vector3(x[0], x[1], x[2]).cross(impulse);
+  }
+}
+
+void AbsorbingBoundary::add_energies(const Motion &motion, const std::vector<double> &mass,
+                                     const double dt, double &kinetic, double &absorbed) const
+{
+  absorbed += absorbed_;
+  for (const auto &dashpot : dashpots_)
+  {
+    const int i         = dashpot.entry;
+    const double before = motion.velocity[i], f = damped_force(dashpot, motion, dt),
+                 change = dt * motion.inverse_mass[i] * f;
+    kinetic += 0.5 * mass[i / 3] * before * dt * motion.inverse_mass[i] * (f - motion.force[i]);
+    // Up to the middle of the step.
+    absorbed += 0.5 * dt * dashpot.coefficient * before * (before + 0.5 * change);
+  }
 }
 } // namespace ricochet

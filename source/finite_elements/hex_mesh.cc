@@ -1,128 +1,155 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/finite_elements/hex_mesh.h"
 
-#include "ricochet/base/exceptions.h"
+#include "hex_cells.h"
 
 #include <deal.II/base/partitioner.h>
-#include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/grid/grid_generator.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 namespace ricochet
 {
 namespace
 {
-using Triangulation = dealii::parallel::distributed::Triangulation<3>;
-
-void check(const HexMesh::Box &box)
+/// One number per vertex: which ones this rank owns, and which it needs of others.
+class NodeNumbers
 {
-  if (box.edge <= 0. || *std::min_element(box.n.begin(), box.n.end()) < 1)
+public:
+  using Index = dealii::types::global_dof_index;
+
+  explicit NodeNumbers(const Triangulation &triangulation) : handler_(triangulation)
   {
-    std::ostringstream message;
-    message << "A mesh of " << box.n[0] << " x " << box.n[1] << " x " << box.n[2]
-            << " cubes of edge " << 1e3 * box.edge
-            << " mm is empty; choose a positive edge and at least one cube along each axis.";
-    throw InputError(message.str());
+    handler_.distribute_dofs(dealii::FE_Q<3>(1));
+    owned_ = handler_.locally_owned_dofs();
+    dealii::IndexSet relevant;
+    dealii::DoFTools::extract_locally_relevant_dofs(handler_, relevant);
+    constraints_.reinit(relevant);
+    dealii::DoFTools::make_hanging_node_constraints(handler_, constraints_);
+    constraints_.close();
+    find_ghosts();
   }
-  const Vector3 high = box.corner + box.edge * Vector3(box.n[0], box.n[1], box.n[2]);
-  for (const auto &region : box.regions)
-    if (region.levels < 1 || (region.low.array() >= region.high.array()).any() ||
-        (region.low.array() >= high.array()).any() ||
-        (region.high.array() <= box.corner.array()).any())
-    {
-      std::ostringstream message;
-      message << "The refinement region from (" << 1e3 * region.low.transpose() << ") mm to ("
-              << 1e3 * region.high.transpose() << ") mm with " << region.levels
-              << " levels refines nothing; it must overlap the mesh from ("
-              << 1e3 * box.corner.transpose() << ") mm to (" << 1e3 * high.transpose()
-              << ") mm, have an extent along each axis and at least one level.";
-      throw InputError(message.str());
-    }
-}
 
-/// How often all three counts can be halved: these levels are left to the tree of cells, because
-/// every rank stores all roots of the forest but only its share of the trees.
-int n_common_halvings(std::array<int, 3> n)
-{
-  int halvings = 0;
-  while (n[0] % 2 == 0 && n[1] % 2 == 0 && n[2] % 2 == 0)
+  const dealii::DoFHandler<3> &handler() const { return handler_; }
+  const dealii::IndexSet &owned() const { return owned_; }
+  const dealii::IndexSet &ghosts() const { return ghosts_; }
+  /// Of this rank's elements.
+  const std::vector<Index> &hanging() const { return hanging_; }
+  const std::vector<std::pair<Index, double>> &masters(const Index hanging) const
   {
-    for (int &count : n)
-      count /= 2;
-    ++halvings;
+    return *constraints_.get_constraint_entries(hanging);
   }
-  return halvings;
-}
-
-/// Levels below box.edge that the regions ask of a cube.
-int levels_wanted(const HexMesh::Box &box, const Vector3 &low, const double edge)
-{
-  int levels          = 0;
-  // Touching is not overlapping: a region drawn on the cubes' faces must not catch their neighbours
-  // by rounding.
-  const double margin = 1e-6 * edge;
-  for (const auto &region : box.regions)
-    if ((low.array() < region.high.array() - margin).all() &&
-        (low.array() + edge > region.low.array() + margin).all())
-      levels = std::max(levels, region.levels);
-  return levels;
-}
-
-Vector3 as_vector(const dealii::Point<3> &p)
-{
-  return {p[0], p[1], p[2]};
-}
-
-void create_cells(Triangulation &triangulation, const HexMesh::Box &box, const int halvings)
-{
-  std::vector<unsigned int> roots(3);
-  std::int64_t n_roots = 1;
-  for (int d = 0; d < 3; ++d)
-    n_roots *= roots[d] = static_cast<unsigned int>(box.n[d] >> halvings);
-  if (n_roots > HexMesh::max_coarse_cells)
+  bool is_known(const Index node) const
   {
-    std::ostringstream message;
-    message << "The mesh of " << box.n[0] << " x " << box.n[1] << " x " << box.n[2] << " cubes has "
-            << n_roots << " roots, more than " << HexMesh::max_coarse_cells
-            << "; choose counts along x, y and z that can all be halved more often (multiples of "
-            << (2 << halvings) << ").";
-    throw InputError(message.str());
+    return owned_.is_element(node) || ghosts_.is_element(node);
   }
-  dealii::Point<3> low, high;
-  for (int d = 0; d < 3; ++d)
+  /// Owned nodes first, then ghosts.
+  int local(const Index node) const
   {
-    low[d]  = box.corner[d];
-    high[d] = box.corner[d] + box.n[d] * box.edge;
+    return static_cast<int>(owned_.is_element(node)
+                                ? owned_.index_within_set(node)
+                                : owned_.n_elements() + ghosts_.index_within_set(node));
   }
-  dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, roots, low, high);
-  triangulation.refine_global(halvings);
-  for (;;)
+
+private:
+  /// Nodes of this rank's elements that others own, and masters of those that hang.
+  void find_ghosts()
   {
-    unsigned int n_flagged = 0;
-    for (const auto &cell : triangulation.active_cell_iterators())
+    std::vector<Index> corner(8), needed;
+    for (const auto &cell : handler_.active_cell_iterators())
       if (cell->is_locally_owned())
       {
-        const int below   = cell->level() - halvings;
-        const double edge = std::ldexp(box.edge, -below);
-        if (below < levels_wanted(box, as_vector(cell->vertex(0)), edge))
+        cell->get_dof_indices(corner);
+        for (const Index node : corner)
         {
-          cell->set_refine_flag();
-          ++n_flagged;
+          needed.push_back(node);
+          if (!constraints_.is_constrained(node))
+            continue;
+          hanging_.push_back(node);
+          for (const auto &entry : masters(node))
+            needed.push_back(entry.first);
         }
       }
-    if (dealii::Utilities::MPI::sum(n_flagged, triangulation.get_communicator()) == 0)
-      return;
-    triangulation.execute_coarsening_and_refinement();
+    make_unique(needed);
+    make_unique(hanging_);
+    ghosts_.set_size(owned_.size());
+    ghosts_.add_indices(needed.begin(), needed.end());
+    ghosts_.subtract_set(owned_);
+    ghosts_.compress();
   }
+
+  static void make_unique(std::vector<Index> &list)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
+  dealii::DoFHandler<3> handler_;
+  dealii::AffineConstraints<double> constraints_;
+  dealii::IndexSet owned_, ghosts_;
+  std::vector<Index> hanging_;
+};
+
+/// Vertices lie on the grid of the finest cubes; taken from there, a node has the same position on
+/// every rank and edges are free of the rounding of repeated bisection.
+std::vector<double> reference_positions(const NodeNumbers &numbers, const HexMesh::Box &box,
+                                        const double finest)
+{
+  std::vector<double> reference(3 * (numbers.owned().n_elements() + numbers.ghosts().n_elements()),
+                                std::numeric_limits<double>::signaling_NaN());
+  std::vector<NodeNumbers::Index> corner(8);
+  // Masters of ghosts may be corners of other ranks' cells only.
+  for (const auto &cell : numbers.handler().active_cell_iterators())
+    if (!cell->is_artificial())
+    {
+      cell->get_dof_indices(corner);
+      for (int v = 0; v < 8; ++v)
+        if (numbers.is_known(corner[v]))
+          for (int d = 0; d < 3; ++d)
+            reference[3 * numbers.local(corner[v]) + d] =
+                box.corner[d] + finest * std::round((cell->vertex(v)[d] - box.corner[d]) / finest);
+    }
+  return reference;
+}
+
+std::vector<HexMesh::Element> own_elements(const NodeNumbers &numbers, const HexMesh::Box &box,
+                                           const int halvings)
+{
+  std::vector<HexMesh::Element> elements;
+  std::vector<NodeNumbers::Index> corner(8);
+  for (const auto &cell : numbers.handler().active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      cell->get_dof_indices(corner);
+      auto &element = elements.emplace_back();
+      element.edge  = std::ldexp(box.edge, halvings - cell->level());
+      for (int v = 0; v < 8; ++v)
+        element.nodes[v] = numbers.local(corner[v]);
+    }
+  return elements;
+}
+
+HexMesh::HangingNodes hanging_nodes_of(const NodeNumbers &numbers)
+{
+  HexMesh::HangingNodes hanging;
+  hanging.first.push_back(0);
+  for (const auto node : numbers.hanging())
+  {
+    hanging.node.push_back(numbers.local(node));
+    for (const auto &[master, weight] : numbers.masters(node))
+    {
+      hanging.master.push_back(numbers.local(master));
+      hanging.weight.push_back(weight);
+    }
+    hanging.first.push_back(static_cast<int>(hanging.master.size()));
+  }
+  return hanging;
 }
 
 dealii::IndexSet three_per_node(const dealii::IndexSet &nodes)
@@ -156,115 +183,25 @@ HexMesh::~HexMesh() = default;
 
 HexMesh::HexMesh(const MPI_Comm communicator, const Box &box) : box_(box)
 {
-  check(box);
+  check_box(box);
   const int halvings = n_common_halvings(box.n);
   Triangulation triangulation(communicator);
   create_cells(triangulation, box, halvings);
-  if (box.cost && dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-  {
-    triangulation.signals.weight.connect(
-        [&](const Triangulation::cell_iterator &cell, const Triangulation::CellStatus)
-        {
-          const double edge = std::ldexp(box.edge, halvings - cell->level());
-          return box.cost(as_vector(cell->vertex(0)) + Vector3::Constant(0.5 * edge), edge);
-        });
-    triangulation.repartition();
-  }
-  n_global_elements_ = static_cast<std::int64_t>(triangulation.n_global_active_cells());
-  if (const int n_ranks = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(communicator));
-      n_global_elements_ < n_ranks)
-    throw InputError("A mesh of " + std::to_string(n_global_elements_) +
-                     " elements cannot be shared by " + std::to_string(n_ranks) +
-                     " ranks; use fewer ranks or smaller elements.");
+  share_cells(triangulation, box, halvings);
+  n_global_elements_ = checked_number_of_elements(triangulation);
 
-  dealii::DoFHandler<3> numbering(triangulation);
-  numbering.distribute_dofs(dealii::FE_Q<3>(1)); // one number per vertex
-  const dealii::IndexSet owned = numbering.locally_owned_dofs();
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(numbering, relevant);
-  dealii::AffineConstraints<double> constraints(relevant);
-  dealii::DoFTools::make_hanging_node_constraints(numbering, constraints);
-  constraints.close();
-
-  // Ghosts: nodes of this rank's elements that others own, and masters of those that hang.
-  using Index = dealii::types::global_dof_index;
-  std::vector<Index> corner(8), needed, hanging;
-  for (const auto &cell : numbering.active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
-      cell->get_dof_indices(corner);
-      for (const Index node : corner)
-      {
-        needed.push_back(node);
-        if (const auto *masters = constraints.get_constraint_entries(node))
-        {
-          hanging.push_back(node);
-          for (const auto &entry : *masters)
-            needed.push_back(entry.first);
-        }
-      }
-    }
-  const auto make_unique = [](std::vector<Index> &list)
-  {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  };
-  make_unique(needed);
-  make_unique(hanging);
-  dealii::IndexSet ghosts(owned.size());
-  ghosts.add_indices(needed.begin(), needed.end());
-  ghosts.subtract_set(owned);
-  ghosts.compress();
-
+  const NodeNumbers numbers(triangulation);
+  const auto &owned = numbers.owned(), &ghosts = numbers.ghosts();
   for (const auto ghost : ghosts)
     ghosts_.push_back(static_cast<std::int64_t>(ghost));
   n_global_nodes_   = static_cast<std::int64_t>(owned.size());
   n_owned_nodes_    = static_cast<int>(owned.n_elements());
   first_owned_node_ = n_owned_nodes_ > 0 ? static_cast<std::int64_t>(owned.nth_index_in_set(0)) : 0;
-  const auto local  = [&](const Index node)
-  {
-    return owned.is_element(node)
-               ? static_cast<int>(owned.index_within_set(node))
-               : n_owned_nodes_ + static_cast<int>(ghosts.index_within_set(node));
-  };
-
-  // Vertices lie on the grid of the finest cubes; taken from there, a node has the same position on
-  // every rank and edges are free of the rounding of repeated bisection.
-  reference_.assign(3 * (n_owned_nodes_ + ghosts.n_elements()),
-                    std::numeric_limits<double>::signaling_NaN());
   const double finest =
       std::ldexp(box.edge, halvings - static_cast<int>(triangulation.n_global_levels()) + 1);
-  // Masters of ghosts may be corners of other ranks' cells only.
-  for (const auto &cell : numbering.active_cell_iterators())
-    if (!cell->is_artificial())
-    {
-      cell->get_dof_indices(corner);
-      for (int v = 0; v < 8; ++v)
-        if (owned.is_element(corner[v]) || ghosts.is_element(corner[v]))
-          for (int d = 0; d < 3; ++d)
-            reference_[3 * local(corner[v]) + d] =
-                box.corner[d] + finest * std::round((cell->vertex(v)[d] - box.corner[d]) / finest);
-      if (cell->is_locally_owned())
-      {
-        Element element;
-        element.edge = std::ldexp(box.edge, halvings - cell->level());
-        for (int v = 0; v < 8; ++v)
-          element.nodes[v] = local(corner[v]);
-        elements_.push_back(element);
-      }
-    }
-
-  hanging_.first.push_back(0);
-  for (const Index node : hanging)
-  {
-    hanging_.node.push_back(local(node));
-    for (const auto &entry : *constraints.get_constraint_entries(node))
-    {
-      hanging_.master.push_back(local(entry.first));
-      hanging_.weight.push_back(entry.second);
-    }
-    hanging_.first.push_back(static_cast<int>(hanging_.master.size()));
-  }
+  reference_ = reference_positions(numbers, box, finest);
+  elements_  = own_elements(numbers, box, halvings);
+  hanging_   = hanging_nodes_of(numbers);
 
   exchange_ = std::make_unique<Exchange>();
   exchange_->partitioner.reinit(three_per_node(owned), three_per_node(ghosts), communicator);

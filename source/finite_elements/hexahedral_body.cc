@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/finite_elements/hexahedral_body.h"
 
+#include "ricochet/base/elastic_constants.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/bodies/nearest_rigid_motion.h"
 
@@ -18,11 +19,6 @@ constexpr int block_size = 8;
 Eigen::Map<const Vector3> at(const std::vector<double> &values, const int node)
 {
   return Eigen::Map<const Vector3>(values.data() + 3 * node);
-}
-
-double youngs_modulus(const FiniteElementMaterial &m)
-{
-  return 9. * m.bulk_modulus * m.shear_modulus / (3. * m.bulk_modulus + m.shear_modulus);
 }
 } // namespace
 
@@ -43,7 +39,9 @@ HexahedralBody::HexahedralBody(const HexSolid &solid, const FiniteElementMateria
   if (kernel_ == nullptr)
     throw InputError(std::string("This processor does not have the instruction set '") +
                      options.instruction_set + "'.");
-  build_blocks(options.hourglass_coefficient * youngs_modulus(material), options.shares);
+  build_blocks(options.hourglass_coefficient *
+                   youngs_modulus(material.bulk_modulus, material.shear_modulus),
+               options.shares);
   centroid_ = Vector3::Zero();
   for (int node = 0; node < n_nodes(); ++node)
   {

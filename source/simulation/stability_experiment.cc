@@ -116,17 +116,18 @@ public:
         a.position[d][p] = X[d] + shift * random_at(place, 3 + d);
       }
     }
+    auto velocity = elements.velocity();
     for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
     {
       const Vector3 X     = elements.mesh().reference_position(node);
       const Vector3 place = X / parameters_.spacing;
       for (int d = 0; d < 3 && elements.mass(node) > 0.; ++d)
       {
-        elements.velocity()[3 * node + d] = speed * random_at(place, d);
+        velocity[3 * node + d]            = speed * random_at(place, d);
         elements.position()[3 * node + d] = X[d] + shift * random_at(place, 3 + d);
       }
     }
-    elements.velocity_changed();
+    elements.set_velocity(velocity);
     far_->lead();
   }
 

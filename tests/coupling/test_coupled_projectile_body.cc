@@ -485,6 +485,20 @@ TEST(CoupledProjectileBody, StepFromThePowerIterationIsStableAndALongerOneIsNot)
   }
 }
 
+TEST(CoupledProjectileBody, TakesAnotherHorizon)
+{
+  // With four spacings instead of three points overlap the elements by two layers more, bonds are
+  // longer, and the body is as stiff as before.
+  const HexSolid mesh = mesh_of(core, 2, true);
+  auto three = parameters(mesh, 0.75e-3, 10.23e-3, true), four = three;
+  four.horizon_ratio = 4.;
+  CoupledProjectileBody shorter(core, mesh, three), longer(core, mesh, four);
+  EXPECT_NEAR(shorter.overlap().length, 4. * 0.75e-3, 1e-12);
+  EXPECT_NEAR(longer.overlap().length, 8. * 0.75e-3, 1e-12);
+  EXPECT_LT(longer.overlap().ghost, 2. * shorter.overlap().ghost);
+  EXPECT_NEAR(frequency_of(longer, 0) / elements_frequency(mesh, 0), 1., 0.03); // as above
+}
+
 TEST(CoupledProjectileBody, RefusesWhatDoesNotFit)
 {
   const HexSolid mesh = mesh_of(core, 2, true);

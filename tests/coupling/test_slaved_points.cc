@@ -51,15 +51,17 @@ TEST(SlavedPoints, FollowLinearFieldsExactly)
     F << 1.1, 0.2, -0.1, 0.05, 0.9, 0.3, -0.2, 0.1, 1.2;
     const Vector3 c(1e-3, -2e-3, 3e-3);
     auto &elements = plate.far->elements();
+    auto velocity  = elements.velocity();
     for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
     {
       const Vector3 X = elements.mesh().reference_position(node), x = F * X + c, v = 1e3 * x;
       for (int d = 0; d < 3; ++d)
       {
         elements.position()[3 * node + d] = x[d];
-        elements.velocity()[3 * node + d] = v[d];
+        velocity[3 * node + d]            = v[d];
       }
     }
+    elements.set_velocity(velocity);
     plate.far->lead();
     double n = 0.;
     for_each_slaved(plate,
@@ -89,7 +91,7 @@ void expect_transpose(const int points_per_edge)
   for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
     for (int d = 0; d < 3; ++d)
       elements.position()[3 * node + d] = noise(elements.mesh().reference_position(node), d);
-  slaved.follow(elements, plate.points->state());
+  slaved.interpolate_to_slaved_points(elements, plate.points->state());
   auto &a          = plate.points->state().arrays;
   double on_points = 0., magnitude = 0.;
   Vector3 sum = Vector3::Zero();
@@ -105,7 +107,7 @@ void expect_transpose(const int points_per_edge)
                     }
                   });
   std::vector<double> nodal(elements.force().size(), 0.);
-  slaved.hand_on(plate.points->state(), nodal);
+  slaved.add_transposed(plate.points->state(), nodal);
   double on_nodes = 0.;
   Vector3 handed  = Vector3::Zero();
   for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)

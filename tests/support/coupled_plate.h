@@ -139,25 +139,6 @@ struct PlateModel
     far->complete_forces();
   }
 
-  /// Momenta of the nodes anew, after their velocities have been set.
-  void velocities_were_set()
-  {
-    auto &elements = far->elements();
-    elements.update_ghosts();
-    std::vector<int> pad;
-    for (std::size_t e = 0; e < elements.mesh().elements().size(); ++e)
-    {
-      const auto cell =
-          cell_at(points->lattice(), elements.mesh().centre(elements.mesh().elements()[e]));
-      const int layer = zone->layer(cell);
-      if (layer > 0 && layer <= zone->pad_layers())
-        pad.push_back(static_cast<int>(e));
-    }
-    if (corrects_mass)
-      elements.set_consistent_mass(pad, zone->points_per_edge());
-    far->lead();
-  }
-
   /// Velocities of free points and nodes become v(X), half a step before the present.
   template <class Field>
   void set_velocity(Field &&v)
@@ -170,14 +151,16 @@ struct PlateModel
             points->state().arrays.velocity[d][p] = value[d];
         });
     auto &elements = far->elements();
+    auto velocity  = elements.velocity();
     for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
     {
       const Vector3 value = v(elements.mesh().reference_position(node));
       for (int d = 0; d < 3; ++d)
         if (elements.inverse_mass(node, d) > 0.)
-          elements.velocity()[3 * node + d] = value[d];
+          velocity[3 * node + d] = value[d];
     }
-    velocities_were_set();
+    elements.set_velocity(velocity);
+    far->lead();
   }
 
   void advance(const double kick, const double drift) { far->advance(kick, drift); }

@@ -6,6 +6,10 @@
 
 #include "support/coupled_plate.h"
 
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/vector.h>
+
 #include <functional>
 
 namespace ricochet::tests
@@ -51,33 +55,40 @@ public:
   double &displacement(const std::size_t i, const int d) { return displacement_[3 * i + d]; }
   double &load(const std::size_t i, const int d) { return load_[3 * i + d]; } // [N]
 
-  /// To the point where the residual has fallen by `tolerance`; returns the number of steps.
+  /// To the point where the residual has fallen by `tolerance`, in the norm r M^-1 r; returns the
+  /// number of steps. Throws dealii::SolverControl::NoConvergence.
   int solve(const double tolerance = 1e-6, const int most = 4000)
   {
-    Vector residual = load_ + forces(displacement_), scaled = precondition(residual),
-           direction    = scaled;
-    double rho          = residual.dot(scaled);
-    const double enough = tolerance * tolerance * rho;
-    int step            = 0;
-    for (; step < most && rho > enough; ++step)
-    {
-      const double size  = 1e-6 * plate_.spacing / direction.lpNorm<Eigen::Infinity>();
-      const Vector image = -forces(size * direction) / size;
-      const double alpha = rho / direction.dot(image);
-      displacement_ += alpha * direction;
-      residual -= alpha * image;
-      scaled            = precondition(residual);
-      const double next = residual.dot(scaled);
-      direction         = scaled + (next / rho) * direction;
-      rho               = next;
-    }
+    // In y = M^1/2 u, so that the solver needs no preconditioner and measures the norm above.
+    dealii::Vector<double> load(displacement_.size()), change(displacement_.size());
+    const Vector residual = load_ + forces(displacement_);
+    for (Eigen::Index i = 0; i < residual.size(); ++i)
+      load[i] = scale(i) * residual[i];
+    dealii::SolverControl control(most, tolerance * load.l2_norm(), /*log_history=*/false,
+                                  /*log_result=*/false);
+    dealii::SolverCG<dealii::Vector<double>>(control).solve(*this, change, load,
+                                                            dealii::PreconditionIdentity());
+    for (Eigen::Index i = 0; i < residual.size(); ++i)
+      displacement_[i] += scale(i) * change[i];
     // Leaves positions and forces of the solution.
     forces(displacement_);
-    return step;
+    return static_cast<int>(control.last_step());
+  }
+
+  /// M^-1/2 K M^-1/2, for the solver.
+  void vmult(dealii::Vector<double> &image, const dealii::Vector<double> &x) const
+  {
+    Vector moved(displacement_.size());
+    for (Eigen::Index i = 0; i < moved.size(); ++i)
+      moved[i] = scale(i) * x[i];
+    const double size = 1e-6 * plate_.spacing / moved.lpNorm<Eigen::Infinity>();
+    const Vector f    = forces(size * moved);
+    for (Eigen::Index i = 0; i < moved.size(); ++i)
+      image[i] = -scale(i) * f[i] / size;
   }
 
   /// Internal forces, zero where held [N].
-  Vector forces(const Vector &u)
+  Vector forces(const Vector &u) const
   {
     auto &a        = plate_.points->state().arrays;
     auto &elements = plate_.far->elements();
@@ -143,13 +154,7 @@ private:
     return 0.5 * (F + F.transpose()) - Eigen::Matrix3d::Identity();
   }
 
-  Vector precondition(const Vector &residual) const
-  {
-    Vector result(residual.size());
-    for (Eigen::Index i = 0; i < residual.size(); ++i)
-      result[i] = free_[i] ? residual[i] / mass_[i / 3] : 0.;
-    return result;
-  }
+  double scale(const Eigen::Index i) const { return free_[i] ? 1. / std::sqrt(mass_[i / 3]) : 0.; }
 
   PlateModel &plate_;
   std::vector<std::ptrdiff_t> points_;

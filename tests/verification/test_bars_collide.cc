@@ -43,8 +43,10 @@ struct HalfOfTheCrash
     auto &body = far->points();
     body.lattice().for_each_owned([&](const std::ptrdiff_t p)
                                   { body.state().arrays.velocity[0][p] = v; });
-    for (std::size_t i = 0; i < far->elements().velocity().size(); i += 3)
-      far->elements().velocity()[i] = v;
+    auto velocity = far->elements().velocity();
+    for (std::size_t i = 0; i < velocity.size(); i += 3)
+      velocity[i] = v;
+    far->elements().set_velocity(velocity);
     far->lead();
   }
 

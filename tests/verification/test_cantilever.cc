@@ -39,6 +39,7 @@ double frequency(const int n, const Quadrature quadrature, const double hourglas
     const double b = 1.8751 / length, sigma = 0.7341; // (cosh + cos)/(sinh + sin) at 1.8751
     return std::cosh(b * x) - std::cos(b * x) - sigma * (std::sinh(b * x) - std::sin(b * x));
   };
+  auto velocity = bar.velocity();
   for (int node = 0; node < mesh.n_owned_nodes(); ++node)
   {
     const Vector3 X = mesh.reference_position(node);
@@ -51,8 +52,9 @@ double frequency(const int n, const Quadrature quadrature, const double hourglas
         bar.fix(node, 1);
     }
     else
-      set(bar.velocity(), node, Vector3(0., 0., 0.01 * mode(X.x()))); // [m/s], 1e-5 m at the end
+      set(velocity, node, Vector3(0., 0., 0.01 * mode(X.x()))); // [m/s], 1e-5 m at the end
   }
+  bar.set_velocity(velocity);
   // The mean deflection, weighted with the mode: higher modes hardly enter. Its zeros at half
   // periods, five periods long.
   std::vector<double> weight;

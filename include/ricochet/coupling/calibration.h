@@ -25,6 +25,9 @@
 
 namespace ricochet
 {
+class CalibratedElements;
+struct NodalForces;
+
 struct CalibrationReport
 {
   // Largest force at a node under a unit strain, in units of M h^2, M = K + 4 mu/3 [-].
@@ -42,7 +45,6 @@ public:
   Calibration(MPI_Comm communicator, const PeridynamicBody &points,
               const FiniteElementBody &elements, const ElasticModuli &moduli,
               const CalibrationOptions &options);
-  ~Calibration();
 
   /// The tensors of this rank's elements in the pad and halo of the zone as it is now. Collective.
   std::vector<ElementStiffness> find();
@@ -50,18 +52,19 @@ public:
   const CalibrationReport &report() const { return report_; } // of the last find()
 
 private:
-  using Tensor  = std::array<double, HexTensors::n_entries>;
-  using Tensors = std::array<Tensor, 8>; // of the Gauss points
-  class LeastSquares;
-
   /// What was last found for a cell of this rank.
   struct Present
   {
-    std::uint64_t pattern;
-    Tensors tensors;
+    CellPattern pattern;
+    GaussPointTensors tensors;
   };
 
-  void remember(const LeastSquares &problem);
+  CellPattern pattern(const Zone::Cell &cell, bool alike) const;
+  void find_start(const CalibratedElements &system, std::vector<GaussPointTensors> &tensors,
+                  std::vector<char> &kept);
+  NodalForces residual_of(const CalibratedElements &system,
+                          const std::vector<GaussPointTensors> &tensors);
+  void remember(const CalibratedElements &system, const std::vector<GaussPointTensors> &tensors);
 
   MPI_Comm communicator_;
   const PeridynamicBody &points_;
@@ -71,7 +74,7 @@ private:
   CellForces forces_;
   CalibrationReport report_;
   // By pattern, and by one that is less exact; the same on all ranks [M].
-  std::unordered_map<std::uint64_t, Tensors> found_, similar_;
+  std::unordered_map<CellPattern, GaussPointTensors> found_, similar_;
   std::unordered_map<std::size_t, Present> present_; // by the cell's number [M]
 };
 } // namespace ricochet

@@ -7,23 +7,29 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <unordered_map>
 
 namespace ricochet
 {
-constexpr int n_unit_strains     = 6;
-/// Position of a component of a symmetric matrix among the six.
-constexpr int voigt_number[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+constexpr int n_unit_strains = 6; // in the order of base/voigt.h
 
 /// One number per unit strain; two lanes stay empty.
 using StrainLanes  = Eigen::Array<double, 8, 1>;
 using StrainForces = std::array<StrainLanes, 3>; // per component of a force
 
-/// A number for the surroundings of a cell: cells with the same number have the same layers and the
-/// same faces of the plate around, and therefore the same bonds and weights. `alike` looks less
-/// far.
-std::uint64_t cell_pattern(const Zone &zone, const Zone::Cell &cell, bool mirrored,
-                           bool alike = false);
+/// The surroundings of a cell in full, one byte per cell around it and per face of the plate: cells
+/// with equal patterns have the same layers and faces around, and therefore the same bonds and
+/// weights.
+using CellPattern = std::string;
+
+/// `mirrored`: the plane y = 0 is none of the faces. `alike` looks less far: for a first guess.
+CellPattern cell_pattern(const Zone &zone, const Zone::Cell &cell, const Stencil &stencil,
+                         bool mirrored, bool alike = false);
+
+/// A node's force can be mended by elements so near, in grid spacings: two horizons, the way over
+/// which a bond and, through the dilatation, those of its ends act.
+int mending_range(const Stencil &stencil);
 
 /// Parts of a material's moduli: forces and stiffness are linear in them.
 struct ElasticModuli
@@ -43,7 +49,7 @@ public:
   CellForces(const PeridynamicBody &points, const ElasticModuli &moduli);
 
   /// `pattern` of the cell, which lies in the pad or the halo. Remembers what it has computed.
-  const Entry &of(const Zone::Cell &cell, std::uint64_t pattern);
+  const Entry &of(const Zone::Cell &cell, const CellPattern &pattern);
 
 private:
   struct Bond
@@ -67,6 +73,6 @@ private:
   double bulk_stress_; // of a point with all its bonds [N m]
   std::vector<Bond> bonds_;
   std::unordered_map<int, StrainLanes> dilatations_; // by distances to the faces
-  std::unordered_map<std::uint64_t, Entry> entries_;
+  std::unordered_map<CellPattern, Entry> entries_;
 };
 } // namespace ricochet

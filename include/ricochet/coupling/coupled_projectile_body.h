@@ -38,7 +38,9 @@ public:
     /// Cells of the mesh whose centre is farther than this from the tip are elements [m]; infinite:
     /// all is points.
     double points_length;
-    bool correct_surface = true; // false to see what it does
+    bool correct_surface        = true; // false to see what it does
+    double horizon_ratio        = 3.;   // of the points, delta/dx [-]
+    InfluenceFunction influence = InfluenceFunction::cone;
   };
 
   /// What has mass: a free point or a node. Pointers to its three numbers each.
@@ -105,8 +107,22 @@ public:
   const HexahedralBody *elements() const { return elements_.get(); } // null if there are none
 
 private:
+  /// Of the mesh: what stays elements.
+  struct Division
+  {
+    HexSolid elements;
+    double volume = 0., volume_of_points = 0.; // of all and of what becomes points [m^3]
+  };
+
+  Division divide(const HexSolid &mesh, const BodyOfRevolution &shape,
+                  const Parameters &parameters);
+  /// `behind`: layers of cells behind the interface.
+  Lattice::Box lattice_box(const BodyOfRevolution &shape, const Parameters &parameters, int behind);
   void place_points(const BodyOfRevolution &shape, const Parameters &parameters, double volume);
   void hand_on();
+  void list_points();
+  void make_elements(const HexSolid &mesh, const Division &division, const Parameters &parameters);
+  std::vector<char> find_slaved_points(const Division &division, const Parameters &parameters);
   static void strain(PeridynamicBody &points);
   void correct_surface(PeridynamicBody &&whole);
   std::vector<double> shares_of(const HexSolid &mesh, const HexSolid &elements,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The patch test on a plate as it is: under a uniform strain nothing should move. The skin of the
-// plate, one horizon thick, is held in the strained position (its points lack neighbours and would
-// relax whatever the coupling); everything else is released and comes to rest by conjugate
-// gradients with the very forces that a run integrates.
+// The patch test on a plate as it is: under a uniform strain nothing should move. What lies less
+// than twice the reach of the bonds below a free face is held in the strained position (points
+// there lack neighbours, or have neighbours that do, and would relax whatever the coupling);
+// everything else is released and comes to rest by conjugate gradients with the very forces that a
+// run integrates.
 #pragma once
 
 #include "ricochet/coupling/coupled_plate.h"
@@ -15,6 +16,7 @@ struct PatchReport
   double strain_error; // largest difference from the strain, in units of it [-]
   int n_iterations;    // of all strains together
   int n_strains;       // six, or four with a symmetry plane, which forbids two shears
+  bool converged;      // all of them: the strain error is what it is said to be
 };
 
 /// The plate is left at rest in its reference configuration. Without relaxation (no iterations) the

@@ -21,17 +21,17 @@ class SlavedPoints
 {
 public:
   SlavedPoints() = default;
-  /// The points of the cells for which `follows` is true; their elements must exist in cell size.
+  /// The points of the cells for which `is_slaved` is true; their elements must exist in cell size.
   /// Collective.
   SlavedPoints(MPI_Comm communicator, const FiniteElementBody &elements, const Lattice &lattice,
-               const std::function<bool(const Zone::Cell &)> &follows);
+               const std::function<bool(const Zone::Cell &)> &is_slaved);
 
   /// Points take over position and velocity. Collective.
-  void follow(const FiniteElementBody &elements, LatticeState &state);
+  void interpolate_to_slaved_points(const FiniteElementBody &elements, LatticeState &state);
   /// Points take over any nodal field, three numbers per node. Collective.
   void interpolate(const std::vector<double> &nodal, double *const field[3]);
   /// Forces of the points are added to those of the nodes. Collective.
-  void hand_on(const LatticeState &state, std::vector<double> &nodal_force);
+  void add_transposed(const LatticeState &state, std::vector<double> &nodal_force);
 
 private:
   struct Cell

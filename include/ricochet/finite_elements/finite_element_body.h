@@ -1,49 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The internal force of one body of explicit finite elements, see kernels/hex_kernel.h for the
-// equations. Owns the body's mesh and state. Mass is lumped to the nodes; hanging nodes carry none,
-// they follow their masters and hand their force and mass on to them.
+// One body of explicit finite elements, see kernels/hex_kernel.h for the equations. Owns the body's
+// mesh and state. Mass is lumped to the nodes; hanging nodes carry none, they follow their masters
+// and hand their force and mass on to them. Its parts: element_groups (forces and history of the
+// elements), consistent_mass, absorbing_boundary; here is what nodes do with their forces.
 #pragma once
 
 #include "ricochet/bodies/body.h"
+#include "ricochet/finite_elements/element_stiffness.h"
 #include "ricochet/finite_elements/hex_mesh.h"
-#include "ricochet/kernels/hex_kernel.h"
-#include "ricochet/materials/relaxation.h"
+#include "ricochet/finite_elements/lumped_mass.h"
+#include "ricochet/materials/finite_element_material.h"
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace ricochet
 {
-struct FiniteElementMaterial
-{
-  double density;       // [kg/m^3]
-  double bulk_modulus;  // [Pa]
-  double shear_modulus; // [Pa], the instantaneous one
-  // Of the shear modulus; takes effect by start_relaxation().
-  RelaxationSeries relaxation = {};
-};
-
-/// How an element integrates its energy. `one_point` takes about half the time and bends as freely
-/// as a beam; `full` (2 x 2 x 2 points) is the reference: it has no hourglass modes, but locks in
-/// bending: the curvature of a cube costs E/(1 - nu^2) + mu instead of E, which stiffens a plate of
-/// n cubes by (1/(1 - nu^2) + 1/(2 (1 + nu)) - 1)/n^2.
-enum class Quadrature
-{
-  one_point,
-  full
-};
-
-/// An element's own symmetric stiffness tensor at each Gauss point [Pa], as in HexTensors. The
-/// eigenvalues must not be negative, or the body is unstable.
-struct ElementStiffness
-{
-  int element; // number in mesh().elements()
-  std::array<std::array<double, HexTensors::n_entries>, 8> tensors;
-  /// The part of them that relaxes with the material, C_mu; zero: they stay elastic. Neither C_mu
-  /// nor C - C_mu may have negative eigenvalues.
-  std::array<std::array<double, HexTensors::n_entries>, 8> shear = {};
-};
+class AbsorbingBoundary;
+class ConsistentMass;
+class ElementGroups;
 
 class FiniteElementBody : public Body
 {
@@ -68,6 +45,7 @@ public:
                     const FiniteElementMaterial &material, const Options &options);
   FiniteElementBody(MPI_Comm communicator, const HexMesh::Box &box,
                     const FiniteElementMaterial &material);
+  ~FiniteElementBody();
   FiniteElementBody(const FiniteElementBody &)            = delete;
   FiniteElementBody &operator=(const FiniteElementBody &) = delete;
 
@@ -83,17 +61,14 @@ public:
   /// modes that it has to hold. Throws InputError for an impossible series. History is kept in
   /// double precision.
   void start_relaxation(double dt) override;
-  bool relaxes() const override { return !branches_.empty(); }
+  bool relaxes() const override;
   /// E_b,k, the strain that the dashpots of a branch have taken over; mean of the Gauss points [-].
   Eigen::Matrix3d back_strain(int element, int branch) const;
   /// What bonds take over from an element before the next step, see BondViscosity::take_over().
   Eigen::Matrix3d history(int element, int branch) const;
-  /// Sets E_b,k at all Gauss points of an element, for bodies that take over from others; as of the
-  /// last step.
-  void set_back_strain(int element, int branch, const Eigen::Matrix3d &E_b);
-
   /// Elements for whose centre this is false carry neither force nor mass from now on; all others
-  /// do, with the material's moduli until set_stiffness(). Masses are lumped anew. Collective.
+  /// do, with the material's moduli until set_stiffness(). Masses are lumped anew, and none is
+  /// consistent until set_consistent_mass(). Collective.
   void set_active(const std::function<bool(const Vector3 &)> &active);
 
   /// The mass of these elements acts as if it sat in the centres of their sub-cubes, so many along
@@ -101,9 +76,12 @@ public:
   /// M_L^-1 f. The sum of all forces stays as it is, because the rows of both mass matrices have
   /// the same sums. Collective.
   void set_consistent_mass(const std::vector<int> &elements, int points_per_edge);
-  /// Call after velocity() was set from outside: the momentum that belongs to it under the
-  /// consistent mass is kept, too. Collective.
-  void velocity_changed();
+  /// Nodes take over these velocities, three numbers per local node of which those of owned nodes
+  /// count, and the momentum that belongs to them; update_ghosts() is due. Throws RunError if the
+  /// momentum under the consistent mass is not found. Collective.
+  void set_velocity(const std::vector<double> &velocity);
+  /// At rest in the reference configuration, without forces. Collective.
+  void rest();
 
   /// The node keeps its velocity along this axis, zero unless set otherwise; its force is then the
   /// reaction, also after set_active(). `node` is local; on ranks that do not own it the call does
@@ -147,22 +125,21 @@ public:
   // Three numbers per local node, see HexMesh.
   std::vector<double> &position() { return position_; } // [m]
   const std::vector<double> &position() const { return position_; }
-  std::vector<double> &velocity() { return velocity_; } // at the half step [m/s]
-  const std::vector<double> &velocity() const { return velocity_; }
-  std::vector<double> &force() { return force_; } // [N]
+  const std::vector<double> &velocity() const { return velocity_; } // at the half step [m/s]
+  std::vector<double> &force() { return force_; }                   // [N]
   const std::vector<double> &force() const { return force_; }
   /// Of an owned node; zero for hanging nodes and where no active element is [kg].
-  double mass(const int node) const { return mass_[node]; }
+  double mass(const int node) const { return mass_.mass[node]; }
   /// 1/m; zero where a component is not integrated [1/kg].
   double inverse_mass(const int node, const int component) const
   {
-    return inverse_mass_[3 * node + component];
+    return mass_.inverse[3 * node + component];
   }
 
   /// f M_eff^-1 f over this rank's nodes, after correct_mass() [N^2/kg].
   double squared_force() const;
 
-  bool is_active(const int element) const { return place_[element].group >= 0; }
+  bool is_active(int element) const;
   /// At the last compute_internal_forces() with energies; zero if not active [J].
   double strain_energy(int element) const;
   double hourglass_energy(int element) const;
@@ -173,70 +150,15 @@ public:
   Eigen::Matrix3d stress(int element) const;
 
 private:
-  struct Group
-  {
-    std::vector<int> elements;
-    std::vector<HexBlock> blocks;
-    std::vector<HexTensors> tensors;
-    std::vector<HexTensors> shear;
-    std::vector<double> strain_energy, hourglass_energy; // per entry of elements
-    int n_points;                                        // Gauss points
-    std::vector<double> history, dissipated;             // see HexRelaxation
-  };
-  struct Place
-  {
-    int group, index; // group -1: not active
-  };
-
-  struct Dashpot
-  {
-    int entry;          // component of an owned node
-    double coefficient; // [kg/s]
-  };
-  /// Of a dashpot's node, with half the dashpot's force at either end of the step [N].
-  double damped_force(const Dashpot &dashpot, double dt) const;
-
-  void lump_mass();
-  void add_mass_difference(const std::vector<double> &acceleration,
-                           std::vector<double> &force) const;
-  void find_spread_momentum();
-  void fill(Group &group) const;
-  HexGroup view(const Group &group) const;
-  std::size_t row(const Group &group, int index, int point, int branch) const;
-  /// Per element: 2 E and 2 (E - E_b,k) of every Gauss point, and what it has dissipated.
-  struct Memory
-  {
-    std::vector<std::vector<double>> points;
-    double dissipated = 0.;
-  };
-  std::vector<Memory> memories() const;
-  void restore(const std::vector<Memory> &memories);
-
   MPI_Comm communicator_;
   HexMesh mesh_;
   FiniteElementMaterial material_;
-  Options options_;
   const HexKernel *kernel_;
-  std::array<Group, 2> groups_;       // shared moduli, own tensors
-  std::vector<Place> place_;          // of each element
-  std::vector<MaxwellStep> branches_; // none: elastic
-  std::vector<Memory> past_;          // of elements that may get their tensors back
-  double dissipated_elsewhere_ = 0.;  // by elements that are not active any more [J]
-  std::vector<char> active_;
+  std::unique_ptr<ElementGroups> elements_;
   std::vector<double> position_, velocity_, force_;
-  std::vector<Dashpot> dashpots_;
-  double absorbed_ = 0.;          // by them, up to the step before [J]
-  Momenta carried_off_;           // by them, at this rank's nodes
-  bool spreads_mass_   = false;   // the same on all ranks
-  double spread_share_ = 0.;      // of an edge's mass that an end has of itself [-]
-  std::vector<int> spread_;       // elements of consistent mass
-  std::vector<int> spread_nodes_; // owned nodes among their corners
-  // Per component of spread_nodes_: the force before its correction [N], and M_eff v, where
-  // M_eff^-1 is the corrected inverse: what the forces have added up to [kg m/s].
-  std::vector<double> spread_force_, spread_momentum_;
-  std::vector<double> acceleration_; // workspace
-  std::vector<double> mass_;         // per owned node
-  std::vector<double> inverse_mass_; // per component of owned nodes
-  std::vector<int> fixed_;           // entries of inverse_mass_ that fix() has made zero
+  LumpedMass mass_;
+  std::vector<int> fixed_;                          // components that fix() holds
+  std::unique_ptr<ConsistentMass> consistent_mass_; // null on all ranks: all mass is lumped
+  std::unique_ptr<AbsorbingBoundary> boundary_;     // null: waves are reflected
 };
 } // namespace ricochet

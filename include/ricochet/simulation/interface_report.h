@@ -27,7 +27,7 @@ struct InterfaceReport
 
   double share_of_cost() const { return std::min(1., seconds_of_points / seconds_per_force); }
   bool ghost_good() const { return patch.ghost_force <= most_ghost_force; }
-  bool strain_good() const { return patch.strain_error <= most_strain_error; }
+  bool strain_good() const { return patch.converged && patch.strain_error <= most_strain_error; }
   bool step_good() const { return time_step < step_limit; }
   bool good() const { return ghost_good() && strain_good() && step_good(); }
 };

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "support/coupled_plate.h"
+
+#include "coupling/hex_tensors.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <map>
+
+namespace ricochet::tests
+{
+namespace
+{
+CoupledSample block(const double horizon_ratio)
+{
+  CoupledSample sample;
+  sample.communicator  = MPI_COMM_SELF;
+  sample.horizon_ratio = horizon_ratio;
+  sample.n_cells       = {18, 18, 18};
+  sample.zone          = {{7, 7, 7}, {11, 11, 11}};
+  return sample;
+}
+
+Calibration calibration_of(const PlateModel &plate, const CalibrationOptions &options = {})
+{
+  const auto &m = plate.points->material();
+  return {MPI_COMM_SELF,
+          *plate.points,
+          plate.far->elements(),
+          {m.bulk_modulus, m.shear_modulus},
+          options};
+}
+
+std::map<int, GaussPointTensors> by_element(const std::vector<ElementStiffness> &stiffness)
+{
+  std::map<int, GaussPointTensors> result;
+  for (const auto &one : stiffness)
+    result[one.element] = one.tensors;
+  return result;
+}
+
+TEST(Calibration, MendsAllForcesWithoutNegativeTensorsForAnyHorizon)
+{
+  for (const double horizon_ratio : {3., 4.})
+  {
+    const PlateModel plate(block(horizon_ratio));
+    auto calibration     = calibration_of(plate);
+    const auto stiffness = calibration.find();
+    const auto &report   = calibration.report();
+    EXPECT_EQ(report.n_elements, plate.zone->n_slaved_cells());
+    EXPECT_GT(report.ghost_before, 0.05);
+    EXPECT_LE(report.ghost_after, CalibrationOptions().tolerance);
+    EXPECT_LT(report.n_iterations, 100);
+    std::printf("horizon of %.0f spacings: ghost force %.1e to %.1e in %d iterations\n",
+                horizon_ratio, report.ghost_before, report.ghost_after, report.n_iterations);
+    double least = 1.;
+    for (const auto &one : stiffness)
+      for (const auto &tensor : one.tensors)
+        least = std::min(
+            least,
+            Eigen::SelfAdjointEigenSolver<Matrix6>(unpacked(tensor)).eigenvalues().minCoeff() /
+                PlateModel::modulus);
+    EXPECT_GT(least, -1e-9);
+  }
+}
+
+TEST(Calibration, FindsAgainWhatItHasFoundWithoutSearching)
+{
+  const PlateModel plate(block(3.));
+  auto calibration = calibration_of(plate);
+  const auto first = by_element(calibration.find());
+  const auto again = by_element(calibration.find());
+  EXPECT_EQ(calibration.report().n_iterations, 0);
+  EXPECT_EQ(first, again);
+}
+
+TEST(Calibration, LeavesCellsAloneWhoseSurroundingsStay)
+{
+  PlateModel plate(block(3.));
+  auto calibration = calibration_of(plate);
+  const auto first = by_element(calibration.find());
+  // Four cells more on one side: those on the other side see nothing of it.
+  plate.zone->grow({{{11, 7, 7}, {13, 11, 11}}});
+  const auto after = by_element(calibration.find());
+  const auto &mesh = plate.far->elements().mesh();
+  int n_same       = 0;
+  for (const auto &[element, tensors] : first)
+    if (cell_at(plate.points->lattice(), mesh.centre(mesh.elements()[element]))[0] < 6)
+    {
+      ++n_same;
+      EXPECT_EQ(after.at(element), tensors);
+    }
+  EXPECT_GT(n_same, 50);
+}
+
+TEST(Calibration, SaysIfItsIterationsDidNotSuffice)
+{
+  const PlateModel plate(block(3.));
+  CalibrationOptions options;
+  options.n_iterations = 3;
+  auto calibration     = calibration_of(plate, options);
+  calibration.find();
+  EXPECT_EQ(calibration.report().n_iterations, 3);
+  EXPECT_GT(calibration.report().ghost_after, options.tolerance);
+}
+} // namespace
+} // namespace ricochet::tests
