@@ -127,11 +127,11 @@ CoupledPlate::CoupledPlate(const MPI_Comm communicator, std::unique_ptr<Zone> zo
         options.coupling.calibration);
   if (options_.absorbing_edges)
     elements_.absorb_at({true, true, !points_->lattice().box().mirror_y, true, false, false});
-  join();
-  lead();
+  build_interface();
+  interpolate_to_slaved_points();
 }
 
-void CoupledPlate::join()
+void CoupledPlate::build_interface()
 {
   const auto &mesh = elements_.mesh();
   const auto &box  = points_->lattice().box();
@@ -163,7 +163,7 @@ void CoupledPlate::join()
     }
     elements_.set_consistent_mass(pad, zone_->points_per_edge());
   }
-  tie();
+  find_slaved_nodes();
 
   if (options_.coupling.method == CouplingMethod::force_blend)
   {
@@ -189,7 +189,7 @@ void CoupledPlate::join()
 }
 
 /// Finds the nodes that slaved points follow.
-void CoupledPlate::tie()
+void CoupledPlate::find_slaved_nodes()
 {
   slaved_ = SlavedPoints(communicator_, elements_, points_->lattice(),
                          [&](const Zone::Cell &at)
@@ -206,8 +206,8 @@ bool CoupledPlate::rebalance()
   if (now < tolerable || lattice.imbalance(fair) > worth_it * now)
     return false;
   points_->redistribute(fair);
-  tie();
-  lead();
+  find_slaved_nodes();
+  interpolate_to_slaved_points();
   return true;
 }
 
@@ -280,7 +280,7 @@ std::vector<ElementStiffness> CoupledPlate::blended_stiffness() const
   return stiffness;
 }
 
-void CoupledPlate::lead()
+void CoupledPlate::interpolate_to_slaved_points()
 {
   elements_.update_ghosts();
   slaved_.interpolate_to_slaved_points(elements_, points_->state());
@@ -298,7 +298,7 @@ void CoupledPlate::compute_internal_forces(const ForceRequest &request)
   elements_.compute_internal_forces(request);
 }
 
-void CoupledPlate::hand_on()
+void CoupledPlate::distribute_slaved_forces()
 {
   if (options_.coupling.method == CouplingMethod::force_blend)
     blend_forces();
@@ -308,7 +308,7 @@ void CoupledPlate::hand_on()
 
 void CoupledPlate::complete_forces()
 {
-  hand_on();
+  distribute_slaved_forces();
   elements_.complete_forces();
 }
 
@@ -316,14 +316,14 @@ void CoupledPlate::advance(const double kick, const double drift)
 {
   points_->advance(kick, drift);
   elements_.advance(kick, drift);
-  lead();
+  interpolate_to_slaved_points();
 }
 
 void CoupledPlate::rest()
 {
   points_->rest();
   elements_.rest();
-  lead();
+  interpolate_to_slaved_points();
   points_->update_ghosts();
 }
 
@@ -449,8 +449,8 @@ bool CoupledPlate::convert(const std::vector<Zone::Cells> &cells)
 
   elements_.set_active([&](const Vector3 &centre)
                        { return !zone_->is_free(cell_at(points_->lattice(), centre)); });
-  join();
-  lead();
+  build_interface();
+  interpolate_to_slaved_points();
   return true;
 }
 } // namespace ricochet

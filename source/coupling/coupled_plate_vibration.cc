@@ -83,7 +83,7 @@ public:
 
   void evaluate() override
   {
-    plate_.lead();
+    plate_.interpolate_to_slaved_points();
     plate_.update_ghosts();
     plate_.compute_internal_forces({});
     plate_.complete_forces();

@@ -56,7 +56,7 @@ public:
       for (int d = 0; d < 3; ++d)
         *point.position[d] =
             point.reference[d] - size_ * *point.force[d] * point.mobility[d] / norm;
-    body_.lead();
+    body_.interpolate_to_slaved_points();
   }
 
   void evaluate() override
@@ -72,7 +72,7 @@ private:
 };
 } // namespace
 
-void CoupledProjectileBody::lead()
+void CoupledProjectileBody::interpolate_to_slaved_points()
 {
   if (!elements_)
     return;
@@ -92,7 +92,7 @@ void CoupledProjectileBody::compute_internal_forces(const ForceRequest &request)
   peridynamic_->compute_internal_forces(request);
   if (elements_)
     elements_->compute_internal_forces(request);
-  hand_on();
+  distribute_slaved_forces();
   if (!request.energy)
     return;
   stored_ = 0.;
@@ -106,7 +106,7 @@ void CoupledProjectileBody::compute_internal_forces(const ForceRequest &request)
 }
 
 /// Contact acts on mass points alone, so this need not wait for it.
-void CoupledProjectileBody::hand_on()
+void CoupledProjectileBody::distribute_slaved_forces()
 {
   const auto &a = peridynamic_->state().arrays;
   for (const int i : slaved_)
@@ -120,7 +120,7 @@ void CoupledProjectileBody::advance(const double kick, const double drift)
   peridynamic_->advance(kick, drift);
   if (elements_)
     elements_->advance(kick, drift);
-  lead();
+  interpolate_to_slaved_points();
 }
 
 void CoupledProjectileBody::rest()
@@ -131,7 +131,7 @@ void CoupledProjectileBody::rest()
       *point.position[d] = point.reference[d];
       *point.velocity[d] = *point.force[d] = 0.;
     }
-  lead();
+  interpolate_to_slaved_points();
 }
 
 Energies CoupledProjectileBody::energies(const double dt) const

@@ -68,10 +68,10 @@ public:
       for (int d = 0; d < 3; ++d)
         elements.position()[3 * node + d] = x[d] + u[i++];
     }
-    plate_.lead();
+    plate_.interpolate_to_slaved_points();
     plate_.update_ghosts();
     plate_.compute_internal_forces({/*energy=*/false, /*is_step=*/false});
-    plate_.hand_on();
+    plate_.distribute_slaved_forces();
 
     std::vector<double> f;
     f.reserve(u.size());

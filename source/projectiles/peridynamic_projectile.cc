@@ -171,7 +171,7 @@ void PeridynamicProjectile::place(const Motion &start)
       *point.velocity[d] = held ? 0. : v[d];
     }
   }
-  body_->lead();
+  body_->interpolate_to_slaved_points();
   update_surface();
 }
 

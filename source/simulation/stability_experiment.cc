@@ -128,7 +128,7 @@ public:
       }
     }
     elements.set_velocity(velocity);
-    far_->lead();
+    far_->interpolate_to_slaved_points();
   }
 
   void evaluate(const bool energy)

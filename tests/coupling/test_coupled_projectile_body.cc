@@ -87,7 +87,7 @@ TEST(CoupledProjectileBody, SpinningProjectileKeepsEnergyAndMomenta)
       *point.velocity[d] = v[d];
     }
   }
-  body.lead();
+  body.interpolate_to_slaved_points();
   double low = 1e300, high = 0.;
   Momenta first, last;
   for (int step = 0; step < 10000; ++step)
@@ -127,7 +127,7 @@ TEST(CoupledProjectileBody, ForcesAreMinusTheGradientOfTheEnergy)
       for (int d = 0; d < 3; ++d)
         if (const auto &point = body.mass_points()[i]; point.mobility[d] > 0.)
           *point.position[d] = point.reference[d] + t * direction[i][d];
-    body.lead();
+    body.interpolate_to_slaved_points();
     body.update_ghosts();
     body.compute_internal_forces({true});
     return body.stored_energy();
@@ -161,7 +161,7 @@ TEST(CoupledProjectileBody, MassIsThatOfTheMeshAndTurningStressesNothing)
     for (const auto &point : body.mass_points())
       for (int d = 0; d < 3; ++d)
         *point.position[d] = (turn * point.reference)[d];
-    body.lead();
+    body.interpolate_to_slaved_points();
     body.update_ghosts();
     body.compute_internal_forces({false});
     // In units of what a strain of one does to a node.
@@ -190,7 +190,7 @@ public:
         0.8 * 2. / std::sqrt(largest_frequency(MPI_COMM_SELF, elements_, 60).squared_frequency));
     for (const auto &point : body_.mass_points())
       place(point.reference, point.position, point.velocity, point.mobility);
-    body_.lead();
+    body_.interpolate_to_slaved_points();
     for (int node = 0; node < elements_.n_nodes(); ++node)
     {
       std::array<double *, 3> x, v;

@@ -62,7 +62,7 @@ TEST(SlavedPoints, FollowLinearFieldsExactly)
       }
     }
     elements.set_velocity(velocity);
-    plate.far->lead();
+    plate.far->interpolate_to_slaved_points();
     double n = 0.;
     for_each_slaved(plate,
                     [&](const std::ptrdiff_t p, const Vector3 &X)
@@ -135,7 +135,7 @@ TEST(SlavedPoints, LeaveFreePointsAlone)
   auto &elements = plate.far->elements();
   for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
     elements.position()[3 * node] += 1e-3;
-  plate.far->lead();
+  plate.far->interpolate_to_slaved_points();
   plate.for_each_free([&](const std::ptrdiff_t p, const Vector3 &X)
                       { EXPECT_EQ(plate.points->state().arrays.position[0][p], X[0]); });
 }

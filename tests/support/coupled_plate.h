@@ -127,7 +127,7 @@ struct PlateModel
       for (int d = 0; d < 3; ++d)
         elements.position()[3 * node + d] = x[d];
     }
-    far->lead();
+    far->interpolate_to_slaved_points();
     evaluate();
   }
 
@@ -160,7 +160,7 @@ struct PlateModel
           velocity[3 * node + d] = value[d];
     }
     elements.set_velocity(velocity);
-    far->lead();
+    far->interpolate_to_slaved_points();
   }
 
   void advance(const double kick, const double drift) { far->advance(kick, drift); }

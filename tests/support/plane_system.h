@@ -107,7 +107,7 @@ inline PlaneSystem plane_system(PlateModel &plate)
         if (!points && moves(X.x()))
           elements.position()[3 * node] += amplitude;
       }
-      plate.far->lead();
+      plate.far->interpolate_to_slaved_points();
       plate.evaluate(/*energy=*/false);
       for (Eigen::Index j = 0; j < n; ++j)
         if (planes[j].is_point == points && moves(planes[j].x))

@@ -99,7 +99,7 @@ public:
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (int d = 0; d < 3; ++d)
         elements.position()[3 * nodes_[i] + d] = reference_[n + i][d] + u[3 * (n + i) + d];
-    plate_.far->lead();
+    plate_.far->interpolate_to_slaved_points();
     plate_.evaluate(/*energy=*/false);
     Vector f(u.size());
     for (std::size_t i = 0; i < n; ++i)

@@ -47,7 +47,7 @@ struct HalfOfTheCrash
     for (std::size_t i = 0; i < velocity.size(); i += 3)
       velocity[i] = v;
     far->elements().set_velocity(velocity);
-    far->lead();
+    far->interpolate_to_slaved_points();
   }
 
   std::unique_ptr<CoupledPlate> far;

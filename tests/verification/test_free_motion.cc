@@ -126,7 +126,7 @@ Matrices matrices(PlateModel &body, PlateModel &lumped_body)
   for (Eigen::Index j = 0; j < n; ++j)
   {
     coordinate(j) += amplitude;
-    lumped_body.far->lead();
+    lumped_body.far->interpolate_to_slaved_points();
     lumped_body.compute_internal_forces({false});
     coordinate(j) = reference[j / 3][j % 3];
     for (Eigen::Index i = 0; i < n; ++i)

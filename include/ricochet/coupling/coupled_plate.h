@@ -38,13 +38,13 @@ public:
 
   /// Slaved points take over the nodes' motion; call after every change of it that is not
   /// advance()'s, before update_ghosts(). Collective.
-  void lead();
+  void interpolate_to_slaved_points();
   void update_ghosts() override { points_->update_ghosts(); }
   void break_bonds() override { points_->break_bonds(); }
   void book_fracture(const double dt) override { points_->book_fracture(dt); }
   void compute_internal_forces(const ForceRequest &request) override;
   /// The nodes' forces get what acts on slaved points.
-  void hand_on();
+  void distribute_slaved_forces();
   void complete_forces() override;
   void start_relaxation(double dt) override;
   bool relaxes() const override { return points_->relaxes(); }
@@ -77,8 +77,8 @@ public:
   MPI_Comm communicator() const { return communicator_; }
 
 private:
-  void join();
-  void tie();
+  void build_interface();
+  void find_slaved_nodes();
   std::vector<ElementStiffness> calibrated_stiffness();
   std::vector<ElementStiffness> blended_stiffness() const;
   void blend_forces();

@@ -77,7 +77,7 @@ public:
 
   /// Points that follow nodes take their places; call after a change of the motion that is not
   /// advance()'s.
-  void lead();
+  void interpolate_to_slaved_points();
   /// Everything at rest in the reference configuration, without forces.
   void rest();
 
@@ -119,7 +119,7 @@ private:
   /// `behind`: layers of cells behind the interface.
   Lattice::Box lattice_box(const BodyOfRevolution &shape, const Parameters &parameters, int behind);
   void place_points(const BodyOfRevolution &shape, const Parameters &parameters, double volume);
-  void hand_on();
+  void distribute_slaved_forces();
   void list_points();
   void make_elements(const HexSolid &mesh, const Division &division, const Parameters &parameters);
   std::vector<char> find_slaved_points(const Division &division, const Parameters &parameters);
