@@ -2,6 +2,7 @@
 #include "ricochet/contact/contact_ghosts.h"
 
 #include "ricochet/base/exchange.h"
+#include "ricochet/base/mpi_tags.h"
 
 #include <algorithm>
 #include <numeric>
@@ -97,16 +98,16 @@ void ContactGhosts::update()
     if (!watched_of_[r].empty())
     {
       in[r].resize(watched_of_[r].size());
-      MPI_Irecv(in[r][0].position, numbers * static_cast<int>(in[r].size()), MPI_DOUBLE, r, 1000,
-                communicator_, &requests.emplace_back());
+      MPI_Irecv(in[r][0].position, numbers * static_cast<int>(in[r].size()), MPI_DOUBLE, r,
+                mpi_tag::contact_ghosts, communicator_, &requests.emplace_back());
     }
   for (int r = 0; r < n_ranks_; ++r)
     if (!watched_by_[r].empty())
     {
       for (const auto &follower : watched_by_[r])
         out[r].push_back(look_at(follower));
-      MPI_Isend(out[r][0].position, numbers * static_cast<int>(out[r].size()), MPI_DOUBLE, r, 1000,
-                communicator_, &requests.emplace_back());
+      MPI_Isend(out[r][0].position, numbers * static_cast<int>(out[r].size()), MPI_DOUBLE, r,
+                mpi_tag::contact_ghosts, communicator_, &requests.emplace_back());
     }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   for (int r = 0; r < n_ranks_; ++r)
