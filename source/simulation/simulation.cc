@@ -239,7 +239,7 @@ void Simulation::evaluate(const bool energy)
     reaction_.deepest =
         std::max(reaction_.deepest, part.deepest / plates_[i]->lattice().box().spacing);
   }
-  debris_->evaluate(dt_);
+  debris_->add_forces(dt_);
   for (const auto &coupled_plate : coupled_plates_)
     if (coupled_plate)
       coupled_plate->evaluate(energy);

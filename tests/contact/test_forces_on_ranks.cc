@@ -97,7 +97,7 @@ Result cloud_forces(const MPI_Comm communicator, const Setup &setup)
       body->update_ghosts();
       body->evaluate(/*breaking=*/true, /*energy=*/true);
     }
-    debris.evaluate(1e-9);
+    debris.add_forces(1e-9);
   }
   Result result;
   for (const auto &body : bodies)

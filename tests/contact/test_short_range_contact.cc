@@ -46,7 +46,7 @@ void step(Bodies &bodies, ShortRangeContact &debris, const double dt, const bool
     body->update_ghosts();
     body->evaluate(breaking, false);
   }
-  debris.evaluate(dt);
+  debris.add_forces(dt);
 }
 
 void advance(Bodies &bodies, const double dt)

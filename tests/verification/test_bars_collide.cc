@@ -77,7 +77,7 @@ TEST(V8Bars, OfFourHundredSpacingsTouchForTwoPassagesAndExchangeTheirVelocities)
       body->update_ghosts();
       body->evaluate(false, false);
     }
-    contact.evaluate(dt);
+    contact.add_forces(dt);
     if (contact.n_touching() > 0.)
     {
       first = first < 0. ? step * dt : first;

@@ -81,7 +81,7 @@ TEST(BrittleDisk, KeepsItsSymmetryAndBreaksEvenly)
       EXPECT_LT(asymmetry(disk), 1e-8 * speed) << "step " << step;
     }
     const auto reaction = contact.evaluate(sphere, disk);
-    debris.evaluate(dt);
+    debris.add_forces(dt);
     disk.advance(dt, dt);
     sphere.advance(reaction.force(), reaction.moment, dt, dt);
   }
