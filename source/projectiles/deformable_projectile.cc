@@ -103,7 +103,7 @@ std::pair<Vector3, Vector3> DeformableProjectile::bounding_box() const
 
 Projectile::Reaction DeformableProjectile::touch(const std::size_t plate, PeridynamicBody &points)
 {
-  const auto reaction = contacts_[plate].evaluate(nodes(), surface_, motion_.position, points);
+  const auto reaction = contacts_[plate].add_forces(nodes(), surface_, motion_.position, points);
   receive();
   return reaction;
 }
@@ -126,10 +126,10 @@ void DeformableProjectile::advance(const Reaction &, const double dt)
   follow();
 }
 
-void DeformableProjectile::record_work(const std::size_t plate, const PeridynamicBody &points,
+void DeformableProjectile::record_work(const std::size_t plate, const PeridynamicBody &,
                                        const double dt)
 {
-  contacts_[plate].record_work(points, dt);
+  contacts_[plate].record_work(dt);
 }
 
 double DeformableProjectile::friction_work() const

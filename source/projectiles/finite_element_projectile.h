@@ -4,6 +4,7 @@
 #pragma once
 
 #include "deformable_projectile.h"
+#include "ricochet/finite_elements/hexahedral_body.h"
 
 namespace ricochet
 {
@@ -28,7 +29,10 @@ public:
   const HexahedralBody &elastic() const { return elastic_; }
 
 private:
-  SurfaceNodes nodes() override { return elastic_; }
+  SurfaceNodes nodes() override
+  {
+    return {elastic_.position(), elastic_.velocity(), elastic_.force()};
+  }
   void move(double dt) override { elastic_.advance(dt, dt); }
   Motion nearest_motion() const override { return elastic_.rigid_motion(); }
 

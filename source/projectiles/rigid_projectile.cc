@@ -18,7 +18,7 @@ RigidProjectile::RigidProjectile(const MPI_Comm communicator, const Scene &scene
 
 Projectile::Reaction RigidProjectile::touch(const std::size_t plate, PeridynamicBody &points)
 {
-  return contacts_[plate].evaluate(rigid_, points);
+  return contacts_[plate].add_forces(rigid_, points);
 }
 
 void RigidProjectile::advance(const Reaction &reaction, const double dt)
@@ -31,10 +31,9 @@ void RigidProjectile::advance(const Reaction &reaction, const double dt)
             reaction.friction_moment.dot(spin + after.spin));
 }
 
-void RigidProjectile::record_work(const std::size_t plate, const PeridynamicBody &points,
-                                  const double dt)
+void RigidProjectile::record_work(const std::size_t plate, const PeridynamicBody &, const double dt)
 {
-  contacts_[plate].record_work(points, dt);
+  contacts_[plate].record_work(dt);
 }
 
 Projectile::Energies RigidProjectile::energies(const Reaction &reaction, const double dt) const

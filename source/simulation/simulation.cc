@@ -227,17 +227,7 @@ void Simulation::evaluate(const bool energy)
     }
     plates_[i]->evaluate(/*breaking=*/true, energy);
     fractures_[i].record(dt_);
-    const auto part = projectile_->touch(i, *plates_[i]);
-    reaction_.normal += part.normal;
-    reaction_.friction += part.friction;
-    reaction_.shank += part.shank;
-    reaction_.moment += part.moment;
-    reaction_.friction_moment += part.friction_moment;
-    reaction_.energy += part.energy;
-    reaction_.n_touching += part.n_touching;
-    reaction_.on_elements = reaction_.on_elements || part.on_elements;
-    reaction_.deepest =
-        std::max(reaction_.deepest, part.deepest / plates_[i]->lattice().box().spacing);
+    reaction_ += projectile_->touch(i, *plates_[i]);
   }
   debris_->add_forces(dt_);
   for (const auto &coupled_plate : coupled_plates_)

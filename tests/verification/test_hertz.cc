@@ -49,7 +49,7 @@ TEST(Hertz, SteelBallOnPmmaHasTheForceDurationAndReturnOfTheory)
   {
     block->update_ghosts();
     block->evaluate(/*breaking=*/false, /*energy=*/false);
-    const auto reaction = contact.evaluate(ball, *block);
+    const auto reaction = contact.add_forces(ball, *block);
     largest             = std::max(largest, reaction.normal.z());
     if (reaction.n_touching > 0.)
     {

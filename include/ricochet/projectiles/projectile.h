@@ -14,7 +14,7 @@ class Projectile
 {
 public:
   using Motion   = RigidBody::Motion;
-  using Reaction = RigidContact::Reaction;
+  using Reaction = ContactRecord;
 
   struct Energies
   {

@@ -67,7 +67,7 @@ public:
 
   const Scene &scene() const { return scene_; }
   const Projectile &projectile() const { return *projectile_; }
-  const RigidContact::Reaction &reaction() const
+  const ContactRecord &reaction() const
   {
     return reaction_;
   } // of all plates, at the last evaluate()
@@ -142,7 +142,7 @@ private:
   std::unique_ptr<ShortRangeContact> debris_;
   std::unique_ptr<FrictionLaw> friction_law_;
   std::unique_ptr<Projectile> projectile_;
-  RigidContact::Reaction reaction_;
+  ContactRecord reaction_;
   TimeStepInfo time_step_info_;
   std::vector<FrequencyEstimate> frequencies_;
   double time_ = 0., dt_ = 0.;
