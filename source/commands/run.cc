@@ -290,7 +290,7 @@ private:
   void warn_about_contact()
   {
     const auto &reaction  = simulation_.reaction();
-    const double deepest  = std::max(deepest_, reaction.deepest);
+    const double deepest  = std::max(deepest_, reaction.deepest_in_spacings);
     const bool speaks     = rank_in(communicator_) == 0;
     constexpr double deep = 0.5;
     if (speaks && deepest > deep && deepest_ <= deep)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/contact/broken_bond_pairs.h"
+#include "broken_bond_pairs.h"
+
+#include "contact_distance.h"
 
 #include <numeric>
 
@@ -17,7 +19,7 @@ BrokenBondPairs::BrokenBondPairs(const PeridynamicBody &body) : body_(body)
             [&](const std::size_t k, const std::size_t l) { return shift(k) < shift(l); });
 }
 
-void BrokenBondPairs::list(const std::vector<double> &reach)
+void BrokenBondPairs::list(const std::vector<double> &skin)
 {
   constexpr int width          = Lattice::block_size;
   const Lattice &l             = body_.lattice();
@@ -41,7 +43,7 @@ void BrokenBondPairs::list(const std::vector<double> &reach)
         {
           const double dx = x[0][q + lane] - x[0][p + lane], dy = x[1][q + lane] - x[1][p + lane],
                        dz    = x[2][q + lane] - x[2][p + lane],
-                       limit = distance_[k] + reach[p + lane] + reach[q + lane];
+                       limit = distance_[k] + skin[p + lane] + skin[q + lane];
           excess[lane]       = dx * dx + dy * dy + dz * dz - limit * limit;
         }
         for (int lane = 0; lane < width; ++lane)

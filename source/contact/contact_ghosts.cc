@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/contact/contact_ghosts.h"
+#include "contact_ghosts.h"
 
 #include "ricochet/base/exchange.h"
+#include "ricochet/base/mpi_tags.h"
 
 #include <algorithm>
 #include <numeric>
@@ -51,34 +52,34 @@ std::vector<std::int32_t> ContactGhosts::sort()
   return new_number;
 }
 
-void ContactGhosts::watch()
+void ContactGhosts::set_up_exchange()
 {
-  std::vector<std::vector<Follower>> asked(n_ranks_);
-  watched_of_.assign(n_ranks_, {});
-  followers_.clear();
+  std::vector<std::vector<Source>> asked(n_ranks_);
+  received_.assign(n_ranks_, {});
+  sources_.clear();
   for (std::size_t i = 0; i < points_.size(); ++i)
   {
     const ContactPoint &point = points_[i];
-    Follower follower{point.flat, static_cast<std::int16_t>(numbering_.place(point.id).body),
-                      point.image};
+    Source source{point.flat, static_cast<std::int16_t>(numbering_.place(point.id).body),
+                  point.image};
     if (point.rank != rank_)
     {
-      asked[point.rank].push_back(follower);
-      watched_of_[point.rank].push_back(static_cast<std::int32_t>(i));
-      follower.flat = -1;
+      asked[point.rank].push_back(source);
+      received_[point.rank].push_back(static_cast<std::int32_t>(i));
+      source.flat = -1;
     }
-    followers_.push_back(follower);
+    sources_.push_back(source);
   }
-  watched_by_ = exchange_lists(communicator_, asked);
-  watched_.resize(points_.size());
+  sent_ = exchange_lists(communicator_, asked);
+  ghosts_.resize(points_.size());
 }
 
-ContactGhosts::Watched ContactGhosts::look_at(const Follower &follower) const
+ContactGhosts::Ghost ContactGhosts::ghost_of(const Source &source) const
 {
-  const auto &body = *bodies_[follower.body];
+  const auto &body = *bodies_[source.body];
   const auto &a    = body.state().arrays;
-  const auto p     = follower.flat;
-  const double y   = follower.image ? -1. : 1.;
+  const auto p     = source.flat;
+  const double y   = source.image ? -1. : 1.;
   return {{a.position[0][p], y * a.position[1][p], a.position[2][p]},
           body.is_damaged(p) ? 1. : 0.,
           {a.velocity[0][p], y * a.velocity[1][p], a.velocity[2][p]}};
@@ -86,31 +87,31 @@ ContactGhosts::Watched ContactGhosts::look_at(const Follower &follower) const
 
 void ContactGhosts::update()
 {
-  for (std::size_t i = 0; i < followers_.size(); ++i)
-    if (followers_[i].flat >= 0)
-      watched_[i] = look_at(followers_[i]);
+  for (std::size_t i = 0; i < sources_.size(); ++i)
+    if (sources_[i].flat >= 0)
+      ghosts_[i] = ghost_of(sources_[i]);
 
-  constexpr int numbers = sizeof(Watched) / sizeof(double);
+  constexpr int numbers = sizeof(Ghost) / sizeof(double);
   std::vector<MPI_Request> requests;
-  std::vector<std::vector<Watched>> in(n_ranks_), out(n_ranks_);
+  std::vector<std::vector<Ghost>> in(n_ranks_), out(n_ranks_);
   for (int r = 0; r < n_ranks_; ++r)
-    if (!watched_of_[r].empty())
+    if (!received_[r].empty())
     {
-      in[r].resize(watched_of_[r].size());
-      MPI_Irecv(in[r][0].position, numbers * static_cast<int>(in[r].size()), MPI_DOUBLE, r, 1000,
-                communicator_, &requests.emplace_back());
+      in[r].resize(received_[r].size());
+      MPI_Irecv(in[r][0].position, numbers * static_cast<int>(in[r].size()), MPI_DOUBLE, r,
+                mpi_tag::contact_ghosts, communicator_, &requests.emplace_back());
     }
   for (int r = 0; r < n_ranks_; ++r)
-    if (!watched_by_[r].empty())
+    if (!sent_[r].empty())
     {
-      for (const auto &follower : watched_by_[r])
-        out[r].push_back(look_at(follower));
-      MPI_Isend(out[r][0].position, numbers * static_cast<int>(out[r].size()), MPI_DOUBLE, r, 1000,
-                communicator_, &requests.emplace_back());
+      for (const auto &source : sent_[r])
+        out[r].push_back(ghost_of(source));
+      MPI_Isend(out[r][0].position, numbers * static_cast<int>(out[r].size()), MPI_DOUBLE, r,
+                mpi_tag::contact_ghosts, communicator_, &requests.emplace_back());
     }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   for (int r = 0; r < n_ranks_; ++r)
     for (std::size_t i = 0; i < in[r].size(); ++i)
-      watched_[watched_of_[r][i]] = in[r][i];
+      ghosts_[received_[r][i]] = in[r][i];
 }
 } // namespace ricochet

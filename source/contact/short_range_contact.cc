@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/contact/short_range_contact.h"
 
+#include "contact_pairs.h"
+#include "field_values.h"
+#include "ricochet/contact/pair_law.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -9,9 +13,6 @@ namespace ricochet
 {
 namespace
 {
-// In compact debris about so many neighbours push or rub at once.
-constexpr double crowd = 6.;
-
 /// k = factor 18 K V^2 / (pi delta^5) [N/m]
 double pair_stiffness(const PeridynamicBody &body, const double factor)
 {
@@ -29,18 +30,8 @@ int most_planes(const Bodies &bodies)
   return n;
 }
 
-Vector3 at(const double *const field[3], const std::ptrdiff_t p)
-{
-  return {field[0][p], field[1][p], field[2][p]};
-}
-
-Vector3 vector(const double (&x)[3])
-{
-  return {x[0], x[1], x[2]};
-}
-
 /// Points at the same place do not touch: there is no direction to push them apart.
-bool is_touch(const double squared, const double distance)
+bool is_touching(const double squared, const double distance)
 {
   return (squared < distance * distance) & (squared != 0.);
 }
@@ -58,10 +49,28 @@ ShortRangeContact::ShortRangeContact(const MPI_Comm communicator, const Bodies &
                                      const std::string &search, const Friction &friction) :
   communicator_(communicator),
   bodies_(bodies), factor_(factor), mirrored_(mirrored), friction_(friction),
-  pairs_(communicator, bodies_, mirrored, search), work_(most_planes(bodies))
+  pairs_(std::make_unique<ContactPairs>(communicator, bodies_, mirrored, search)),
+  work_(most_planes(bodies))
 {
   for (const auto &body : bodies)
     stiffness_.push_back(pair_stiffness(*body, factor));
+}
+
+ShortRangeContact::~ShortRangeContact() = default;
+
+void ShortRangeContact::bodies_changed()
+{
+  pairs_->bodies_changed();
+}
+
+long ShortRangeContact::n_searches() const
+{
+  return pairs_->n_searches();
+}
+
+long ShortRangeContact::n_single_searches() const
+{
+  return pairs_->n_single_searches();
 }
 
 double ShortRangeContact::stiffness(const int body, const int other_body) const
@@ -73,165 +82,138 @@ double ShortRangeContact::stiffness(const int body, const int other_body) const
 double ShortRangeContact::squared_frequency(const PeridynamicBody &body) const
 {
   // Two neighbours in antiphase double the stiffness.
-  return 2. * crowd * pair_stiffness(body, factor_) / body.point_mass();
+  return 2. * contacts_of_a_point * pair_stiffness(body, factor_) / body.point_mass();
 }
 
 void ShortRangeContact::add_forces(const double dt)
 {
   if (factor_ <= 0.)
     return;
-  pairs_.update(dt);
-  contacts_.clear();
-  rubbed_.clear();
+  pairs_->update(dt);
+  energies_.clear();
+  work_.clear();
   for (std::size_t body = 0; body < bodies_.size(); ++body)
-    push_former_neighbours(body, dt);
-  push_non_bonded_pairs(dt);
+    add_broken_bond_forces(body, dt);
+  add_non_bonded_forces(dt);
 }
 
-void ShortRangeContact::push_former_neighbours(const std::size_t body, const double dt)
+void ShortRangeContact::add_broken_bond_forces(const std::size_t body, const double dt)
 {
   using Pair             = BrokenBondPairs::Pair;
-  const auto &list       = pairs_.broken_bond_pairs(body);
+  const auto &list       = pairs_->broken_bond_pairs(body);
   const auto &a          = bodies_[body]->state().arrays;
   const Lattice &l       = bodies_[body]->lattice();
   const std::ptrdiff_t n = find_touching(
       list,
       [&a](const Pair &pair)
       {
-        return is_touch((at(a.position, pair.q) - at(a.position, pair.p)).squaredNorm(),
-                        pair.distance);
+        return is_touching((at(a.position, pair.q) - at(a.position, pair.p)).squaredNorm(),
+                           pair.distance);
       },
       [](const Pair &one, const Pair &other)
       { return std::tie(one.p, one.q) < std::tie(other.p, other.q); },
       touching_);
   const auto end = [&](const std::int32_t p) {
-    return Follower{l.owned(p) ? p : -1, static_cast<std::int16_t>(body), false};
+    return End{l.owned(p) ? p : -1, static_cast<int>(body)};
   };
   for (std::ptrdiff_t i = 0; i < n; ++i)
   {
     const auto &[p, q, distance] = list.pairs[touching_[i]];
-    push({end(p), end(q), at(a.position, q) - at(a.position, p),
-          at(a.velocity, q) - at(a.velocity, p), distance, stiffness_[body],
-          0.5 * bodies_[body]->point_mass()},
-         dt);
+    add_pair_forces({end(p), end(q), at(a.position, q) - at(a.position, p),
+                     at(a.velocity, q) - at(a.velocity, p), distance, stiffness_[body],
+                     0.5 * bodies_[body]->point_mass()},
+                    dt);
   }
 }
 
-void ShortRangeContact::push_non_bonded_pairs(const double dt)
+void ShortRangeContact::add_non_bonded_forces(const double dt)
 {
   using Pair             = ContactPairs::NonBondedPair;
-  const auto &list       = pairs_.non_bonded_pairs();
-  const auto &watched    = pairs_.watched();
+  const auto &list       = pairs_->non_bonded_pairs();
+  const auto &ghosts     = pairs_->ghosts();
   const std::ptrdiff_t n = find_touching(
       list,
       [&](const Pair &pair)
       {
-        const auto &a = watched[pair.a], &b = watched[pair.b];
-        return is_touch((vector(b.position) - vector(a.position)).squaredNorm(), pair.distance) &&
+        const auto &a = ghosts[pair.a], &b = ghosts[pair.b];
+        return is_touching((vector(b.position) - vector(a.position)).squaredNorm(),
+                           pair.distance) &&
                (!pair.one_body || a.damaged + b.damaged > 0.);
       },
       [&](const Pair &one, const Pair &other)
       {
         const auto ids = [&](const Pair &pair)
-        { return std::make_pair(watched.id(pair.a), watched.id(pair.b)); };
+        { return std::make_pair(ghosts.id(pair.a), ghosts.id(pair.b)); };
         return ids(one) < ids(other);
       },
       touching_);
   const auto end = [&](const std::int32_t number)
   {
-    Follower follower = watched.follower(number);
-    if (follower.image)
-      follower.flat = -1; // moves as its original does
-    return follower;
+    const auto &source = ghosts.source(number);
+    return End{source.image ? -1 : source.flat, source.body}; // an image moves as its original
   };
   for (std::ptrdiff_t i = 0; i < n; ++i)
   {
     const auto &pair = list.pairs[touching_[i]];
-    const auto &a = watched[pair.a], &b = watched[pair.b];
-    const Follower first = end(pair.a), second = end(pair.b);
+    const auto &a = ghosts[pair.a], &b = ghosts[pair.b];
+    const End first = end(pair.a), second = end(pair.b);
     const double m = bodies_[first.body]->point_mass(), m2 = bodies_[second.body]->point_mass();
-    push({first, second, vector(b.position) - vector(a.position),
-          vector(b.velocity) - vector(a.velocity), pair.distance,
-          stiffness(first.body, second.body), m * m2 / (m + m2)},
-         dt);
+    add_pair_forces({first, second, vector(b.position) - vector(a.position),
+                     vector(b.velocity) - vector(a.velocity), pair.distance,
+                     stiffness(first.body, second.body), m * m2 / (m + m2)},
+                    dt);
   }
 }
 
-/// Adds the forces of two points that touch.
-void ShortRangeContact::push(const ActiveContact &touch, const double dt)
+void ShortRangeContact::add_pair_forces(const ActiveContact &contact, const double dt)
 {
-  const double r       = std::sqrt(touch.apart.squaredNorm());
-  const double overlap = touch.distance - r;
-  Vector3 force        = touch.stiffness * overlap / r * touch.apart;
-  Vector3 along        = Vector3::Zero();
+  const PairLaw<double> pair_law{contact.stiffness, /*shank_force=*/0.,
+                                 friction_.regularisation_speed};
+  const double r      = std::sqrt(contact.apart.squaredNorm());
+  const double depth  = contact.distance - r;
+  const double normal = pair_law.normal_force(depth);
+  Vector3 force       = normal / r * contact.apart; // on the second
+  Vector3 friction    = Vector3::Zero();
   if (friction_.law)
   {
-    along = friction(touch.apart / r, touch.velocity, touch.stiffness * overlap, touch.mass, dt);
-    force += along;
+    const Vector3 sliding = sliding_velocity(contact.velocity, Vector3(contact.apart / r));
+    const double mu       = friction_.factor * friction_.law->coefficient(sliding.norm());
+    friction              = pair_law.bounded_friction(sliding, mu, normal, contact.mass, dt);
+    force += friction;
   }
-  for (const auto &[end, sign] : {std::pair<const Follower &, double>{touch.first, -1.},
-                                  std::pair<const Follower &, double>{touch.second, 1.}})
+  for (const auto &[end, sign] : {std::pair<const End &, double>{contact.first, -1.},
+                                  std::pair<const End &, double>{contact.second, 1.}})
     if (end.flat >= 0)
     {
       auto &a = bodies_[end.body]->state().arrays;
       for (int d = 0; d < 3; ++d)
         a.force[d][end.flat] += sign * force[d];
       if (friction_.law)
-        rubbed_.push_back({end.flat, end.body, sign * along, at(a.velocity, end.flat)});
+        work_.add(*bodies_[end.body], end.flat, sign * friction);
     }
-  contacts_.push_back({touch.first, touch.second, 0.5 * touch.stiffness * overlap * overlap});
-}
-
-/// Force of friction on the second of two points.
-///
-/// @param normal    From the first to the second, of length 1.
-/// @param velocity  Of the second relative to the first [m/s].
-/// @param pressure  The normal force f_n [N].
-/// @param mass      Reduced mass of the two [kg].
-Vector3 ShortRangeContact::friction(const Vector3 &normal, const Vector3 &velocity,
-                                    const double pressure, const double mass, const double dt) const
-{
-  const Vector3 sliding = velocity - velocity.dot(normal) * normal;
-  const double speed    = sliding.norm();
-  const double drag     = friction_.factor * friction_.law->coefficient(speed) * pressure /
-                      std::max(speed, friction_.regularisation_speed);
-  // Friction stops two points but never drives them back: an impact presses points together so hard
-  // that one step of Coulomb's force would reverse their sliding, and the next one again. All
-  // neighbours of a point together stop it in one step at the most, one alone takes some.
-  return -std::min(drag, mass / (crowd * dt)) * sliding;
-}
-
-void ShortRangeContact::record_work(const double dt)
-{
-  for (const auto &point : rubbed_)
-  {
-    // The mean of the velocities before and after the kick gives the exact work of the scheme.
-    const Vector3 after = at(bodies_[point.body]->state().arrays.velocity, point.point);
-    work_[bodies_[point.body]->lattice().plane_of(point.point)][0] +=
-        0.5 * dt * point.force.dot(point.velocity + after);
-  }
+  energies_.push_back({contact.first, contact.second, pair_law.energy(depth)});
 }
 
 double ShortRangeContact::friction_work() const
 {
-  return friction_.law ? (mirrored_ ? 2. : 1.) * work_.total(communicator_)[0] : 0.;
+  return friction_.law ? (mirrored_ ? 2. : 1.) * work_.total(communicator_) : 0.;
 }
 
 double ShortRangeContact::energy() const
 {
   PlaneSums<1> sums(most_planes(bodies_));
-  for (const auto &contact : contacts_)
-    for (const auto *const end : {&contact.first, &contact.second})
+  for (const auto &pair : energies_)
+    for (const auto *const end : {&pair.first, &pair.second})
       if (end->flat >= 0)
-        sums[bodies_[end->body]->lattice().plane_of(end->flat)][0] += 0.5 * contact.energy;
+        sums[bodies_[end->body]->lattice().plane_of(end->flat)][0] += 0.5 * pair.energy;
   return (mirrored_ ? 2. : 1.) * sums.total(communicator_)[0];
 }
 
 double ShortRangeContact::n_touching() const
 {
   double n = 0.;
-  for (const auto &contact : contacts_)
-    n += 0.5 * (contact.first.flat >= 0) + 0.5 * (contact.second.flat >= 0);
+  for (const auto &pair : energies_)
+    n += 0.5 * (pair.first.flat >= 0) + 0.5 * (pair.second.flat >= 0);
   MPI_Allreduce(MPI_IN_PLACE, &n, 1, MPI_DOUBLE, MPI_SUM, communicator_);
   return n;
 }

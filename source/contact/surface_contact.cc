@@ -1,65 +1,47 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/contact/surface_contact.h"
 
-#include <Eigen/Dense>
+#include "field_values.h"
+#include "surface_tangents.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 
 namespace ricochet
 {
 namespace
 {
-/// Forces on the four nodes of a face that are equivalent to unit forces along the two tangents,
-/// acting at the distance phi from the face's nearest point: N_a e_i plus a couple along n.
-struct Tangents
-{
-  Vector3 direction[2];
-  Vector3 on_node[2][4]; // [-]
-
-  Tangents(const FacetedSurface &surface, const FacetedSurface::Hit &hit)
-  {
-    const Vector3 &n     = hit.normal;
-    const auto &quad     = surface.faces()[hit.face];
-    const Vector3 along  = surface.node(quad[2]) - surface.node(quad[0]);
-    const Vector3 across = surface.node(quad[3]) - surface.node(quad[1]);
-    // At an edge n may point along one of the diagonals, but not along both.
-    const Vector3 &longer =
-        std::abs(n.dot(along)) * across.norm() < std::abs(n.dot(across)) * along.norm() ? along
-                                                                                        : across;
-    direction[0] = (longer - n.dot(longer) * n).normalized();
-    direction[1] = n.cross(direction[0]);
-
-    // With in-plane places (s, t) about the mean and g = alpha s + beta t, the couple g_a n of the
-    // unit force along the tangent i needs sum g s = -phi for i = 0, sum g t = -phi for i = 1.
-    Vector3 mean = Vector3::Zero();
-    for (const int node : quad)
-      mean += 0.25 * surface.node(node);
-    Eigen::Vector2d place[4];
-    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-    for (int a = 0; a < 4; ++a)
-    {
-      const Vector3 arm = surface.node(quad[a]) - mean;
-      place[a]          = {arm.dot(direction[0]), arm.dot(direction[1])};
-      second += place[a] * place[a].transpose();
-    }
-    const Eigen::Matrix2d slopes = -hit.distance * second.inverse();
-    for (int i = 0; i < 2; ++i)
-      for (int a = 0; a < 4; ++a)
-        on_node[i][a] = hit.weights[a] * direction[i] + slopes.col(i).dot(place[a]) * n;
-  }
-};
-
-Vector3 at(const double *const field[3], const std::ptrdiff_t p)
-{
-  return {field[0][p], field[1][p], field[2][p]};
-}
-
-Eigen::Map<const Vector3> at(const std::vector<double> &values, const int node)
+Eigen::Map<const Vector3> of_node(const std::vector<double> &values, const int node)
 {
   return Eigen::Map<const Vector3>(values.data() + 3 * node);
+}
+
+/// Velocity of a point relative to the surface, along the two tangents [m/s].
+Eigen::Vector2d sliding_velocity_on(const SurfaceTangents &tangents, const SurfaceQuad &quad,
+                                    const Vector3 &velocity, const SurfaceNodes &body)
+{
+  Eigen::Vector2d sliding;
+  for (int i = 0; i < 2; ++i)
+  {
+    sliding[i] = velocity.dot(tangents.direction[i]);
+    for (int node = 0; node < 4; ++node)
+      sliding[i] -= tangents.on_node[i][node].dot(of_node(body.velocity, quad[node]));
+  }
+  return sliding;
+}
+
+/// Adds the half behind the symmetry plane.
+void add_mirrored_half(ContactRecord &record)
+{
+  for (Vector3 *force : {&record.normal, &record.friction, &record.shank})
+    *force = Vector3(2. * force->x(), 0., 2. * force->z());
+  for (Vector3 *moment : {&record.moment, &record.friction_moment})
+    *moment = Vector3(0., 2. * moment->y(), 0.);
+  record.energy *= 2.;
+  record.n_touching *= 2.;
 }
 } // namespace
 
@@ -67,16 +49,36 @@ SurfaceContact::SurfaceContact(const MPI_Comm communicator, const FrictionLaw &l
                                const Parameters &parameters, const bool mirrored,
                                const int n_planes, const std::vector<char> &is_shank) :
   communicator_(communicator),
-  law_(law), parameters_(parameters), multiplicity_(mirrored ? 2. : 1.), is_shank_(is_shank),
+  law_(law), pair_law_(parameters), multiplicity_(mirrored ? 2. : 1.), is_shank_(is_shank),
   work_(n_planes)
 {
+}
+
+ContactRecord SurfaceContact::add_forces(const SurfaceNodes &body, const FacetedSurface &surface,
+                                         const Vector3 &centre, PeridynamicBody &plate)
+{
+  find_loads(body, surface, plate);
+  const auto all = gather();
+  std::array<double, 2> largest{deepest_, on_elements_};
+  MPI_Allreduce(MPI_IN_PLACE, largest.data(), 2, MPI_DOUBLE, MPI_MAX, communicator_);
+
+  ContactRecord record;
+  record.deepest             = largest[0];
+  record.deepest_in_spacings = largest[0] / plate.lattice().box().spacing;
+  record.on_elements         = largest[1] > 0.;
+  friction_.assign(body.force.size(), 0.);
+  for (const auto &load : all)
+    apply(load, surface, centre, body, record);
+  if (multiplicity_ == 2.)
+    add_mirrored_half(record);
+  return record;
 }
 
 void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &surface,
                                 PeridynamicBody &plate)
 {
   const Lattice &lattice = plate.lattice();
-  auto &a                = plate.state().arrays;
+  const auto &a          = plate.state().arrays;
   const double radius    = lattice.box().spacing / 2.;
   const auto [low, high] = surface.bounding_box();
   Vector3 first = low - Vector3::Constant(radius), last = high + Vector3::Constant(radius);
@@ -88,82 +90,80 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
   const std::vector<std::ptrdiff_t> were_deep = std::move(deep_); // ascending
   deep_.clear();
   loads_.clear();
-  active_.clear();
+  work_.clear();
   deepest_ = on_elements_ = 0.;
   lattice.for_each_owned(
       [&](const std::ptrdiff_t p)
       {
-        if (a.position[0][p] < first.x() || a.position[0][p] > last.x() ||
-            a.position[2][p] < first.z() || a.position[2][p] > last.z() ||
-            a.position[1][p] < first.y() || a.position[1][p] > last.y())
+        if (is_outside(a.position, p, first, last))
           return;
-        Vector3 x = at(a.position, p), velocity = at(a.velocity, p);
-        const bool crossed = mirrored && x.y() < 0.;
-        if (crossed)
-        {
-          x.y()        = -x.y();
-          velocity.y() = -velocity.y();
-        }
-        FacetedSurface::Hit hit;
-        if (!surface.hit(x, hit))
+        Vector3 x = at(a.position, p);
+        Touching touching{p, mirrored && x.y() < 0., at(a.velocity, p), {}, 0.};
+        if (touching.crossed)
+          for (Vector3 *v : {&x, &touching.velocity})
+            v->y() = -v->y();
+        if (!surface.hit(x, touching.hit))
         {
           if (!std::binary_search(were_deep.begin(), were_deep.end(), p))
             return;
-          hit = surface.nearest(x);
+          touching.hit = surface.nearest(x);
         }
-        const double depth = radius - hit.distance;
-        if (depth <= 0.)
+        touching.depth = radius - touching.hit.distance;
+        if (touching.depth <= 0.)
           return;
-        if (depth > radius) // its centre is inside
+        if (touching.depth > radius) // its centre is inside
           deep_.push_back(p);
-
-        const Tangents tangents(surface, hit);
-        const auto &quad = surface.faces()[hit.face];
-        Eigen::Vector2d sliding;
-        for (int i = 0; i < 2; ++i)
-        {
-          sliding[i] = velocity.dot(tangents.direction[i]);
-          for (int node = 0; node < 4; ++node)
-            sliding[i] -= tangents.on_node[i][node].dot(at(body.velocity, quad[node]));
-        }
-        const double speed = sliding.norm();
-        const Eigen::Vector2d against =
-            -sliding / std::max(speed, parameters_.regularisation_speed);
-        const double mu            = law_.coefficient(speed);
-        const double pressure      = parameters_.stiffness * depth;
-        const double shank         = is_shank_[hit.face] ? mu * parameters_.shank_force : 0.;
-        const Eigen::Vector2d drag = (mu * pressure + shank) * against;
-
-        const auto in_space = [&](const Eigen::Vector2d &f) -> Vector3
-        { return f[0] * tangents.direction[0] + f[1] * tangents.direction[1]; };
-        Vector3 friction = in_space(drag), total = pressure * hit.normal + friction;
-        if (crossed)
-          for (Vector3 *v : {&friction, &total})
-            v->y() = -v->y();
-        for (int d = 0; d < 3; ++d)
-          a.force[d][p] += total[d];
-        active_.push_back({p, friction, at(a.velocity, p)});
-
-        Load load;
-        load.face           = hit.face;
-        load.energy         = 0.5 * pressure * depth;
-        const Vector3 slide = in_space(mu * pressure * against), along = in_space(shank * against);
-        for (int d = 0; d < 3; ++d)
-        {
-          load.sliding[d] = -slide[d];
-          load.shank[d]   = -along[d];
-          for (int node = 0; node < 4; ++node)
-          {
-            load.normal[3 * node + d] = -hit.weights[node] * pressure * hit.normal[d];
-            load.friction[3 * node + d] =
-                -drag[0] * tangents.on_node[0][node][d] - drag[1] * tangents.on_node[1][node][d];
-          }
-        }
-        loads_.push_back(load);
-        deepest_ = std::max(deepest_, depth);
-        if (!lattice.free(p))
-          on_elements_ = 1.;
+        add_point_load(touching, body, surface, plate);
       });
+}
+
+/// Adds the forces on a point and lists those on the face.
+void SurfaceContact::add_point_load(const Touching &touching, const SurfaceNodes &body,
+                                    const FacetedSurface &surface, PeridynamicBody &plate)
+{
+  auto &a                                        = plate.state().arrays;
+  const auto &[p, crossed, velocity, hit, depth] = touching;
+  const SurfaceTangents tangents(surface, hit);
+  const Eigen::Vector2d sliding =
+      sliding_velocity_on(tangents, surface.faces()[hit.face], velocity, body);
+  const double speed              = sliding.norm();
+  const double mu                 = law_.coefficient(speed);
+  const double normal             = pair_law_.normal_force(depth);
+  const double coulomb            = pair_law_.friction_limit(mu, normal);
+  const double shank              = is_shank_[hit.face] ? pair_law_.shank_limit(mu) : 0.;
+  const Eigen::Vector2d direction = pair_law_.direction(sliding, speed);
+  const Eigen::Vector2d on_point  = (coulomb + shank) * direction; // along the tangents [N]
+
+  const auto in_space = [&](const Eigen::Vector2d &f) -> Vector3
+  { return f[0] * tangents.direction[0] + f[1] * tangents.direction[1]; };
+  Vector3 friction = in_space(on_point), total = normal * hit.normal + friction;
+  if (crossed)
+    for (Vector3 *v : {&friction, &total})
+      v->y() = -v->y();
+  for (int d = 0; d < 3; ++d)
+    a.force[d][p] += total[d];
+  work_.add(plate, p, friction);
+
+  Load load;
+  load.face                      = hit.face;
+  load.energy                    = pair_law_.energy(depth);
+  const Vector3 coulomb_in_space = in_space(coulomb * direction),
+                shank_in_space   = in_space(shank * direction);
+  for (int d = 0; d < 3; ++d)
+  {
+    load.coulomb[d] = -coulomb_in_space[d];
+    load.shank[d]   = -shank_in_space[d];
+    for (int node = 0; node < 4; ++node)
+    {
+      load.normal[3 * node + d] = -hit.weights[node] * normal * hit.normal[d];
+      load.friction[3 * node + d] =
+          -on_point[0] * tangents.on_node[0][node][d] - on_point[1] * tangents.on_node[1][node][d];
+    }
+  }
+  loads_.push_back(load);
+  deepest_ = std::max(deepest_, depth);
+  if (!plate.lattice().free(p))
+    on_elements_ = 1.;
 }
 
 std::vector<SurfaceContact::Load> SurfaceContact::gather() const
@@ -183,63 +183,28 @@ std::vector<SurfaceContact::Load> SurfaceContact::gather() const
   return all;
 }
 
-SurfaceContact::Reaction SurfaceContact::evaluate(const SurfaceNodes &body,
-                                                  const FacetedSurface &surface,
-                                                  const Vector3 &centre, PeridynamicBody &plate)
+/// Adds a load to the body's nodes and to the record.
+void SurfaceContact::apply(const Load &load, const FacetedSurface &surface, const Vector3 &centre,
+                           const SurfaceNodes &body, ContactRecord &record)
 {
-  find_loads(body, surface, plate);
-  const auto all = gather();
-  std::array<double, 2> largest{deepest_, on_elements_};
-  MPI_Allreduce(MPI_IN_PLACE, largest.data(), 2, MPI_DOUBLE, MPI_MAX, communicator_);
-
-  Reaction reaction;
-  reaction.deepest     = largest[0];
-  reaction.on_elements = largest[1] > 0.;
-  friction_.assign(body.force.size(), 0.);
-  for (const auto &load : all)
+  const auto &quad = surface.faces()[static_cast<std::size_t>(load.face)];
+  for (int node = 0; node < 4; ++node)
   {
-    const auto &quad = surface.faces()[static_cast<std::size_t>(load.face)];
-    for (int node = 0; node < 4; ++node)
+    const Eigen::Map<const Vector3> normal(load.normal + 3 * node),
+        friction(load.friction + 3 * node);
+    const Vector3 arm = of_node(body.position, quad[node]) - centre;
+    record.normal += normal;
+    record.moment += arm.cross(normal + friction);
+    record.friction_moment += arm.cross(friction);
+    for (int d = 0; d < 3; ++d)
     {
-      const Eigen::Map<const Vector3> normal(load.normal + 3 * node),
-          friction(load.friction + 3 * node);
-      const Vector3 arm = at(body.position, quad[node]) - centre;
-      reaction.normal += normal;
-      reaction.moment += arm.cross(normal + friction);
-      reaction.friction_moment += arm.cross(friction);
-      for (int d = 0; d < 3; ++d)
-      {
-        body.force[3 * quad[node] + d] += normal[d] + friction[d];
-        friction_[3 * quad[node] + d] += friction[d];
-      }
+      body.force[3 * quad[node] + d] += normal[d] + friction[d];
+      friction_[3 * quad[node] + d] += friction[d];
     }
-    reaction.friction += Eigen::Map<const Vector3>(load.sliding);
-    reaction.shank += Eigen::Map<const Vector3>(load.shank);
-    reaction.energy += load.energy;
-    reaction.n_touching += 1.;
   }
-  if (multiplicity_ == 2.)
-  {
-    for (Vector3 *force : {&reaction.normal, &reaction.friction, &reaction.shank})
-      *force = Vector3(2. * force->x(), 0., 2. * force->z());
-    for (Vector3 *moment : {&reaction.moment, &reaction.friction_moment})
-      *moment = Vector3(0., 2. * moment->y(), 0.);
-    reaction.energy *= 2.;
-    reaction.n_touching *= 2.;
-  }
-  return reaction;
-}
-
-void SurfaceContact::record_work(const PeridynamicBody &plate, const double dt)
-{
-  const auto &a = plate.state().arrays;
-  for (const auto &touch : active_)
-    work_[plate.lattice().plane_of(touch.point)][0] +=
-        0.5 * dt * touch.friction.dot(touch.velocity + at(a.velocity, touch.point));
-}
-
-double SurfaceContact::work_on_points() const
-{
-  return multiplicity_ * work_.total(communicator_)[0];
+  record.friction += Eigen::Map<const Vector3>(load.coulomb);
+  record.shank += Eigen::Map<const Vector3>(load.shank);
+  record.energy += load.energy;
+  record.n_touching += 1.;
 }
 } // namespace ricochet

@@ -2,16 +2,12 @@
 #include "ricochet/finite_elements/node_links.h"
 
 #include "ricochet/base/exchange.h"
+#include "ricochet/base/mpi_tags.h"
 
 #include <algorithm>
 
 namespace ricochet
 {
-namespace
-{
-constexpr int tag_fetch = 1002, tag_add = 1003;
-}
-
 NodeLinks::NodeLinks(const MPI_Comm communicator, const HexMesh &mesh,
                      const std::vector<std::int64_t> &nodes) :
   communicator_(communicator)
@@ -57,13 +53,14 @@ void NodeLinks::fetch(const std::vector<double> &values, std::vector<double> &se
   for (const auto &run : runs_)
     if (run.rank != rank_)
       MPI_Irecv(seen.data() + 3 * run.first, static_cast<int>(3 * (run.last - run.first)),
-                MPI_DOUBLE, run.rank, tag_fetch, communicator_, &requests.emplace_back());
+                MPI_DOUBLE, run.rank, mpi_tag::node_values, communicator_,
+                &requests.emplace_back());
   for (auto &lent : lent_)
   {
     for (std::size_t i = 0; i < lent.nodes.size(); ++i)
       std::copy_n(values.data() + 3 * lent.nodes[i], 3, lent.values.data() + 3 * i);
     MPI_Isend(lent.values.data(), static_cast<int>(lent.values.size()), MPI_DOUBLE, lent.rank,
-              tag_fetch, communicator_, &requests.emplace_back());
+              mpi_tag::node_values, communicator_, &requests.emplace_back());
   }
   for (const auto &run : runs_)
     if (run.rank == rank_)
@@ -77,11 +74,11 @@ void NodeLinks::add(const std::vector<double> &seen, std::vector<double> &values
   std::vector<MPI_Request> requests;
   for (auto &lent : lent_)
     MPI_Irecv(lent.values.data(), static_cast<int>(lent.values.size()), MPI_DOUBLE, lent.rank,
-              tag_add, communicator_, &requests.emplace_back());
+              mpi_tag::node_sums, communicator_, &requests.emplace_back());
   for (const auto &run : runs_)
     if (run.rank != rank_)
       MPI_Isend(seen.data() + 3 * run.first, static_cast<int>(3 * (run.last - run.first)),
-                MPI_DOUBLE, run.rank, tag_add, communicator_, &requests.emplace_back());
+                MPI_DOUBLE, run.rank, mpi_tag::node_sums, communicator_, &requests.emplace_back());
     else
       for (std::size_t i = run.first; i < run.last; ++i)
         for (int d = 0; d < 3; ++d)

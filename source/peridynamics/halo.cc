@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/peridynamics/halo.h"
 
+#include "ricochet/base/mpi_tags.h"
+
 #include <algorithm>
 
 namespace ricochet
 {
-Halo::Halo(const MPI_Comm communicator, const Lattice &lattice, const int tag) :
-  communicator_(communicator), tag_(2 * tag),
+Halo::Halo(const MPI_Comm communicator, const Lattice &lattice, const int body) :
+  communicator_(communicator), tag_(mpi_tag::halo(body)),
   count_(lattice.stencil().reach * lattice.plane_stride()), owned_begin_(lattice.owned_begin()),
   owned_end_(lattice.owned_end())
 {

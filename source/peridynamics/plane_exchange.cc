@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plane_exchange.h"
 
+#include "ricochet/base/mpi_tags.h"
+
 #include <algorithm>
 
 namespace ricochet
 {
 namespace
 {
-constexpr int tag = 1004; // 1000 to 1003: debris, lists, nodes
-
 /// Global planes first <= x < last.
 struct Planes
 {
@@ -51,7 +51,7 @@ void PlaneExchange::move_bytes(const char *const from, char *const to,
   std::vector<MPI_Request> requests;
   for (int r = 0; r < n_ranks; ++r)
     if (const auto planes = common(owned_before(r), needed(rank)); planes.n() > 0 && r != rank)
-      MPI_Irecv(new_place(planes.first), planes.n(), plane, r, tag, communicator_,
+      MPI_Irecv(new_place(planes.first), planes.n(), plane, r, mpi_tag::planes, communicator_,
                 &requests.emplace_back());
   for (int r = 0; r < n_ranks; ++r)
     if (const auto planes = common(owned_before(rank), needed(r)); planes.n() > 0)
@@ -59,7 +59,7 @@ void PlaneExchange::move_bytes(const char *const from, char *const to,
       if (r == rank)
         std::copy_n(old_place(planes.first), bytes * planes.n(), new_place(planes.first));
       else
-        MPI_Isend(old_place(planes.first), planes.n(), plane, r, tag, communicator_,
+        MPI_Isend(old_place(planes.first), planes.n(), plane, r, mpi_tag::planes, communicator_,
                   &requests.emplace_back());
     }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);

@@ -106,10 +106,10 @@ void DeformableProjectile::compute_internal_forces(const ForceRequest &request)
   deformed().compute_internal_forces(request);
 }
 
-Projectile::Reaction DeformableProjectile::add_contact_forces(const std::size_t plate,
+ContactRecord DeformableProjectile::add_contact_forces(const std::size_t plate,
                                                               PeridynamicBody &points)
 {
-  const auto reaction = contacts_[plate].evaluate(nodes(), surface_, motion_.position, points);
+  const auto reaction = contacts_[plate].add_forces(nodes(), surface_, motion_.position, points);
   distribute_surface_forces();
   return reaction;
 }
@@ -133,10 +133,10 @@ void DeformableProjectile::advance(const double kick, const double drift)
   follow();
 }
 
-void DeformableProjectile::record_work(const std::size_t plate, const PeridynamicBody &points,
+void DeformableProjectile::record_work(const std::size_t plate, const PeridynamicBody &,
                                        const double dt)
 {
-  contacts_[plate].record_work(points, dt);
+  contacts_[plate].record_work(dt);
 }
 
 double DeformableProjectile::friction_work() const

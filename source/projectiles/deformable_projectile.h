@@ -18,7 +18,7 @@ public:
   std::pair<Vector3, Vector3> bounding_box() const override;
   SurfaceFrame surface() const override;
 
-  Reaction add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
+  ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
   void record_work(std::size_t plate, const PeridynamicBody &points, double dt) override;
   double friction_work() const override;
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "deformable_projectile.h"
+#include "ricochet/finite_elements/hexahedral_body.h"
 
 namespace ricochet
 {
@@ -26,7 +27,10 @@ public:
 private:
   Body &deformed() override { return elastic_; }
   const Body &deformed() const override { return elastic_; }
-  SurfaceNodes nodes() override { return elastic_; }
+  SurfaceNodes nodes() override
+  {
+    return {elastic_.position(), elastic_.velocity(), elastic_.force()};
+  }
   Motion nearest_motion() const override { return elastic_.rigid_motion(); }
 
   HexahedralBody elastic_;

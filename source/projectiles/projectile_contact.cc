@@ -7,11 +7,7 @@ void ProjectileContact::add_forces(double)
 {
   record_ = {};
   for (std::size_t i = 0; i < plates_.size(); ++i)
-  {
-    auto part = projectile_.add_contact_forces(i, *plates_[i]);
-    part.deepest /= plates_[i]->lattice().box().spacing;
-    record_ += part;
-  }
+    record_ += projectile_.add_contact_forces(i, *plates_[i]);
 }
 
 void ProjectileContact::record_work(const double dt)

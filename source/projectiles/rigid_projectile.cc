@@ -16,10 +16,10 @@ RigidProjectile::RigidProjectile(const MPI_Comm communicator, const Scene &scene
     contacts_.emplace_back(communicator, law, plate.parameters, scene.symmetric, plate.n_planes);
 }
 
-Projectile::Reaction RigidProjectile::add_contact_forces(const std::size_t plate,
+ContactRecord RigidProjectile::add_contact_forces(const std::size_t plate,
                                                          PeridynamicBody &points)
 {
-  const auto reaction = contacts_[plate].evaluate(rigid_, points);
+  const auto reaction = contacts_[plate].add_forces(rigid_, points);
   load_ += reaction;
   return reaction;
 }
@@ -34,10 +34,9 @@ void RigidProjectile::advance(const double kick, const double drift)
             load_.friction_moment.dot(spin + after.spin));
 }
 
-void RigidProjectile::record_work(const std::size_t plate, const PeridynamicBody &points,
-                                  const double dt)
+void RigidProjectile::record_work(const std::size_t plate, const PeridynamicBody &, const double dt)
 {
-  contacts_[plate].record_work(points, dt);
+  contacts_[plate].record_work(dt);
 }
 
 Energies RigidProjectile::energies(const double dt) const

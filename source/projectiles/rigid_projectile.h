@@ -16,7 +16,7 @@ public:
   std::pair<Vector3, Vector3> bounding_box() const override { return rigid_.bounding_box(); }
   SurfaceFrame surface() const override;
 
-  Reaction add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
+  ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
   void record_work(std::size_t plate, const PeridynamicBody &points, double dt) override;
   double friction_work() const override;
 
@@ -36,7 +36,7 @@ public:
 private:
   RigidBody rigid_;
   std::vector<RigidContact> contacts_; // per plate
-  Reaction load_;                      // of all plates
+  ContactRecord load_;                      // of all plates
   double work_ = 0.;                   // of friction on the body [J]
 };
 } // namespace ricochet

@@ -63,7 +63,7 @@ TEST(RigidContact, ForcesAndMomentsOnPointsAndProjectileCancel)
     RigidContact contact(MPI_COMM_SELF, *law, {5e6, 40., 5.}, false, 30);
     const auto body = ploughing_core();
     shake(*plate);
-    const auto reaction = contact.evaluate(body, *plate);
+    const auto reaction = contact.add_forces(body, *plate);
     Vector3 sum = Vector3::Zero(), moment = Vector3::Zero();
     double total = 0.;
     int n        = 0;
@@ -93,8 +93,8 @@ TEST(RigidContact, NormalForceIsTheGradientOfTheStoredEnergy)
   shake(*plate);
   const auto start  = ploughing_core().motion();
   const auto energy = [&](const RigidBody::Motion &motion)
-  { return contact.evaluate(RigidBody(core, 5e-3, motion, false), *plate).energy; };
-  const auto reaction = contact.evaluate(RigidBody(core, 5e-3, start, false), *plate);
+  { return contact.add_forces(RigidBody(core, 5e-3, motion, false), *plate).energy; };
+  const auto reaction = contact.add_forces(RigidBody(core, 5e-3, start, false), *plate);
   // Half a spring's square per point; a point that begins to touch within h adds k h^2/2 only.
   const double h      = 1e-9;
   ASSERT_GT(reaction.normal.norm(), 1000.);
@@ -125,9 +125,10 @@ TEST(RigidContact, NormalForceIsStiffnessTimesDepth)
   motion.orientation = Eigen::AngleAxisd(M_PI / 2., Vector3::UnitY()); // axis down
   const double k     = 3e6;
   RigidContact contact(MPI_COMM_SELF, *law, {k, 0., 5.}, false, 4);
-  const auto reaction = contact.evaluate(RigidBody(cylinder, 1., motion, false), *plate);
+  const auto reaction = contact.add_forces(RigidBody(cylinder, 1., motion, false), *plate);
   EXPECT_EQ(reaction.n_touching, 16.);
-  EXPECT_NEAR(reaction.deepest, 0.2 * dx, 1e-15);
+  EXPECT_NEAR(reaction.deepest, 0.2 * dx, 1e-15);        // metres
+  EXPECT_NEAR(reaction.deepest_in_spacings, 0.2, 1e-12); // and of its own name
   EXPECT_LT((reaction.normal - Vector3(0., 0., 16. * k * 0.2 * dx)).norm(), 1e-9 * k * dx);
   EXPECT_NEAR(reaction.energy, 16. * 0.5 * k * std::pow(0.2 * dx, 2), 1e-9 * k * dx * dx);
 }
@@ -146,7 +147,7 @@ TEST(RigidContact, FrictionOpposesSlidingAndFallsLinearlyBelowTheRegularisationS
     for (const double speed : {0., 1e-3, 2.5, 5., 50., 500.})
     {
       motion.velocity = speed * direction - Vector3(0., 0., 20.); // closing speed is not sliding
-      const auto reaction    = contact.evaluate(RigidBody(cylinder, 1., motion, false), *plate);
+      const auto reaction    = contact.add_forces(RigidBody(cylinder, 1., motion, false), *plate);
       // mu(v) N v/|v|, with |v| replaced by 5 m/s below that.
       const double mu        = law->coefficient(speed);
       const Vector3 expected = -mu * reaction.normal.z() * std::min(1., speed / 5.) * direction;
@@ -167,7 +168,7 @@ TEST(RigidContact, ShankResistanceActsOnTheShankOnly)
   auto motion     = at({0., 0., 3e-3 - 0.3 * dx}); // lies on its shank
   motion.velocity = Vector3(100., 0., 0.);
   const RigidBody body(core, 5e-3, motion, false);
-  const auto reaction = contact.evaluate(body, *plate);
+  const auto reaction = contact.add_forces(body, *plate);
   int on_shank        = 0;
   for_each_point(*plate,
                  [&](const std::ptrdiff_t p)
@@ -197,7 +198,7 @@ TEST(RigidContact, SymmetryPlaneDoublesForcesAndRemovesWhatItForbids)
   const RigidBody body(core, 5e-3, motion, true);
   RigidContact on_full(MPI_COMM_SELF, *law, {5e6, 40., 5.}, false, 30),
       on_half(MPI_COMM_SELF, *law, {5e6, 40., 5.}, true, 30);
-  const auto f = on_full.evaluate(body, *full), h = on_half.evaluate(body, *half);
+  const auto f = on_full.add_forces(body, *full), h = on_half.add_forces(body, *half);
   EXPECT_EQ(f.n_touching, h.n_touching);
   EXPECT_NEAR(f.energy, h.energy, 1e-13 * f.energy);
   EXPECT_LT((f.force() - h.force()).norm(), 1e-12 * f.force().norm());
@@ -247,14 +248,14 @@ TEST(RigidContact, BlockSlidingOnAFlatFaceStopsWhereCoulombSays)
   for (int i = 0; i * dt < 1.5 * v0 / (mu * g); ++i)
   {
     block->update_ghosts();
-    block->compute_internal_forces({false});
-    contact.evaluate(ground, *block);
+    block->evaluate(false, false);
+    contact.add_forces(ground, *block);
     for_each_point(*block,
                    [&](const std::ptrdiff_t p) { a.force[2][p] -= block->point_mass() * g; });
     if (tenth == 0. && mean(a.velocity).x() < 0.1 * v0)
       tenth = i * dt;
     block->advance(dt, dt);
-    contact.record_work(*block, dt);
+    contact.record_work(dt);
   }
   EXPECT_NEAR(tenth, 0.9 * v0 / (mu * g), 0.01 * v0 / (mu * g));
   EXPECT_NEAR(mean(a.position).x() - start, v0 * v0 / (2. * mu * g),
@@ -287,9 +288,9 @@ struct BallOnBed
   {
   }
 
-  RigidContact::Reaction step(const double dt, const double weight)
+  ContactRecord step(const double dt, const double weight)
   {
-    const auto reaction = contact.evaluate(ball, *plate);
+    const auto reaction = contact.add_forces(ball, *plate);
     ball.advance(reaction.force() - Vector3(0., 0., weight), reaction.moment, dt, dt);
     return reaction;
   }
@@ -307,7 +308,7 @@ TEST(RigidContact, SphereSlidesThenRollsAtFiveSeventhsOfItsSpeed)
   // Sunk in by 0.3 dx it rests on about 90 points; the stiffness follows from the weight.
   const double sunk = 0.3 * dx;
   BallOnBed probe(120, mass, 1., mu, 0.01 * v0, {0., 0., R - sunk}, Vector3::Zero());
-  const double stiffness = mass * g / probe.contact.evaluate(probe.ball, *probe.plate).normal.z();
+  const double stiffness = mass * g / probe.contact.add_forces(probe.ball, *probe.plate).normal.z();
   BallOnBed test(120, mass, stiffness, mu, 0.01 * v0, {0., 0., R - sunk}, {v0, 0., 0.});
 
   const double rolling = 2. * v0 / (7. * mu * g);

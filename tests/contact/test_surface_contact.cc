@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/contact/rigid_contact.h"
 #include "ricochet/contact/surface_contact.h"
 #include "ricochet/geometry/revolved_hexes.h"
 #include "support/body.h"
-#include "support/hexahedra.h"
 
 #include <gtest/gtest.h>
 
@@ -14,17 +14,50 @@ namespace
 constexpr double dx = 1e-3;
 const BodyOfRevolution core({NoseShape::ogive, 6e-3, 20e-3, 9e-3});
 
+Vector3 node_of(const std::vector<double> &values, const int node)
+{
+  return {values[3 * node], values[3 * node + 1], values[3 * node + 2]};
+}
+
+/// All that contact sees of a body: its nodes.
+struct Nodes
+{
+  HexSolid solid;
+  RigidBody::Motion motion;
+  std::vector<double> position, velocity, force;
+
+  explicit Nodes(const HexSolid &mesh) : solid(mesh), force(3 * mesh.nodes.size(), 0.) {}
+
+  operator SurfaceNodes() { return {position, velocity, force}; }
+  int n_nodes() const { return static_cast<int>(solid.nodes.size()); }
+
+  void set_motion(const RigidBody::Motion &rigid)
+  {
+    motion               = rigid;
+    const Vector3 centre = centroid(solid);
+    position.clear();
+    velocity.clear();
+    for (const auto &node : solid.nodes)
+    {
+      const Vector3 arm = rigid.orientation * (node - centre);
+      const Vector3 x = rigid.position + arm, v = rigid.velocity + rigid.spin.cross(arm);
+      position.insert(position.end(), x.data(), x.data() + 3);
+      velocity.insert(velocity.end(), v.data(), v.data() + 3);
+    }
+  }
+};
+
 /// A plate whose points are shaken out of place, and a bent, tumbling core that ploughs through it.
 struct Ploughing
 {
   std::unique_ptr<PeridynamicBody> plate;
-  HexahedralBody body;
+  Nodes body;
   FacetedSurface surface;
   std::vector<char> is_shank;
   Vector3 centre;
 
   explicit Ploughing(const int refinement = 2) :
-    body(revolved_hexes(core, refinement), steel(), false), surface(surface_of(body.solid()))
+    body(revolved_hexes(core, refinement)), surface(surface_of(body.solid))
   {
     BodySample sample;
     sample.n      = {30, 12, 4};
@@ -44,19 +77,19 @@ struct Ploughing
     motion.velocity    = Vector3(200., -30., -60.);
     motion.spin        = Vector3(3000., -9000., 2000.);
     body.set_motion(motion);
-    for (double &x : body.position())
+    for (double &x : body.position)
       x += 0.03e-3 * random.uniform();
-    for (double &v : body.velocity())
+    for (double &v : body.velocity)
       v += 10. * random.uniform();
     for (const auto &quad : surface.faces())
     {
       Vector3 middle = Vector3::Zero();
       for (const int node : quad)
-        middle += 0.25 * body.solid().nodes[node];
+        middle += 0.25 * body.solid.nodes[node];
       is_shank.push_back(core.hit(middle).surface == BodyOfRevolution::Surface::shank);
     }
-    centre = body.rigid_motion().position;
-    surface.update(body.position(), 1.5 * dx);
+    centre = body.motion.position;
+    surface.update(body.position, 1.5 * dx);
     clear();
   }
 
@@ -64,7 +97,7 @@ struct Ploughing
   {
     for_each_point(*plate, [&](const std::ptrdiff_t p)
                    { set(plate->state().arrays.force, p, Vector3::Zero()); });
-    std::fill(body.force().begin(), body.force().end(), 0.);
+    std::fill(body.force.begin(), body.force.end(), 0.);
   }
 };
 
@@ -80,7 +113,7 @@ TEST(SurfaceContact, ForcesAndMomentsOnPointsAndNodesCancel)
     Ploughing scene;
     const auto law      = make_friction_law(friction);
     auto contact        = make_contact(*law, 40., scene);
-    const auto reaction = contact.evaluate(scene.body, scene.surface, scene.centre, *scene.plate);
+    const auto reaction = contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate);
     Vector3 sum = Vector3::Zero(), moment = Vector3::Zero(), nodes = Vector3::Zero(),
             node_moment = Vector3::Zero();
     double total        = 0.;
@@ -96,9 +129,9 @@ TEST(SurfaceContact, ForcesAndMomentsOnPointsAndNodesCancel)
                    });
     for (int node = 0; node < scene.body.n_nodes(); ++node)
     {
-      const Vector3 f = node_of(scene.body.force(), node);
+      const Vector3 f = node_of(scene.body.force, node);
       nodes += f;
-      node_moment += (node_of(scene.body.position(), node) - scene.centre).cross(f);
+      node_moment += (node_of(scene.body.position, node) - scene.centre).cross(f);
     }
     EXPECT_GT(n, 20);
     EXPECT_EQ(reaction.n_touching, n);
@@ -119,11 +152,11 @@ TEST(SurfaceContact, NormalForcesAreTheGradientOfTheStoredEnergy)
   const auto energy = [&]
   {
     scene.clear();
-    scene.surface.update(scene.body.position(), 1.5 * dx);
-    return contact.evaluate(scene.body, scene.surface, scene.centre, *scene.plate).energy;
+    scene.surface.update(scene.body.position, 1.5 * dx);
+    return contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate).energy;
   };
   energy();
-  const auto on_nodes = scene.body.force();
+  const auto on_nodes = scene.body.force;
   std::vector<std::pair<std::ptrdiff_t, Vector3>> on_points;
   for_each_point(*scene.plate,
                  [&](const std::ptrdiff_t p)
@@ -140,7 +173,7 @@ TEST(SurfaceContact, NormalForcesAreTheGradientOfTheStoredEnergy)
   for (std::size_t i = 0; i < on_nodes.size(); ++i)
     if (on_nodes[i] != 0. && i % 3 == i / 3 % 3) // one component of each node
     {
-      double &x         = scene.body.position()[i];
+      double &x         = scene.body.position[i];
       const double here = x;
       x                 = here + h;
       const double up   = energy();
@@ -174,10 +207,10 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   {
     scene.clear();
     auto contact = make_contact(*law, shank, scene);
-    contact.evaluate(scene.body, scene.surface, scene.centre, *scene.plate);
+    contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate);
     double sum = 0.;
-    for (std::size_t i = 0; i < scene.body.velocity().size(); ++i)
-      sum += contact.friction_on_nodes()[i] * scene.body.velocity()[i];
+    for (std::size_t i = 0; i < scene.body.velocity.size(); ++i)
+      sum += contact.friction_on_nodes()[i] * scene.body.velocity[i];
     // What is left of the points' forces when the normal ones of a contact without friction go.
     std::vector<Vector3> total;
     for_each_point(*scene.plate,
@@ -185,7 +218,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
     scene.clear();
     const auto none = make_friction_law({"constant", 0., 0., 0., 5.});
     auto without    = make_contact(*none, 0., scene);
-    without.evaluate(scene.body, scene.surface, scene.centre, *scene.plate);
+    without.add_forces(scene.body, scene.surface, scene.centre, *scene.plate);
     std::size_t point = 0;
     for_each_point(*scene.plate,
                    [&](const std::ptrdiff_t p)
@@ -199,11 +232,11 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   EXPECT_LT(without_shank, -1e3);
   EXPECT_LT(with_shank, without_shank);
 
-  RigidBody::Motion motion = scene.body.rigid_motion();
+  RigidBody::Motion motion = scene.body.motion;
   const RigidBody rigid(core, 5e-3, motion, false);
   scene.clear();
   RigidContact contact(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
-  const auto reaction = contact.evaluate(rigid, *scene.plate);
+  const auto reaction = contact.add_forces(rigid, *scene.plate);
   double on_rigid =
       reaction.friction.dot(motion.velocity) + reaction.friction_moment.dot(motion.spin);
   std::vector<Vector3> total;
@@ -212,7 +245,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   scene.clear();
   const auto none = make_friction_law({"constant", 0., 0., 0., 5.});
   RigidContact without(MPI_COMM_SELF, *none, {5e6, 0., 5.}, false, 30);
-  without.evaluate(rigid, *scene.plate);
+  without.add_forces(rigid, *scene.plate);
   std::size_t point = 0;
   for_each_point(*scene.plate,
                  [&](const std::ptrdiff_t p)
@@ -229,16 +262,16 @@ TEST(SurfaceContact, AgreesWithTheRigidShapeWhenTheFacetsAreFine)
   for (const int refinement : {2, 3})
   {
     Ploughing scene(refinement);
-    scene.body.set_motion(scene.body.rigid_motion()); // without the shaking of its nodes
-    scene.surface.update(scene.body.position(), 1.5 * dx);
+    scene.body.set_motion(scene.body.motion); // without the shaking of its nodes
+    scene.surface.update(scene.body.position, 1.5 * dx);
     const auto law      = make_friction_law({"constant", 0.2, 0., 0., 5.});
     auto contact        = make_contact(*law, 0., scene);
-    const auto reaction = contact.evaluate(scene.body, scene.surface, scene.centre, *scene.plate);
-    auto motion         = scene.body.rigid_motion();
-    motion.position -= motion.orientation * centroid(scene.body.solid()); // of the shape
+    const auto reaction = contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate);
+    auto motion         = scene.body.motion;
+    motion.position -= motion.orientation * centroid(scene.body.solid); // of the shape
     scene.clear();
     RigidContact smooth(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
-    const auto expected = smooth.evaluate(RigidBody(core, 5e-3, motion, false), *scene.plate);
+    const auto expected = smooth.add_forces(RigidBody(core, 5e-3, motion, false), *scene.plate);
     difference[refinement - 2] = (reaction.force() - expected.force()).norm();
     EXPECT_LT(difference[refinement - 2], 0.1 * expected.force().norm());
     EXPECT_NEAR(reaction.energy, expected.energy, 0.1 * expected.energy);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/dynamics/largest_frequency.h"
+#include "ricochet/base/exceptions.h"
+#include "ricochet/dynamics/elastic_body_time_step.h"
 #include "ricochet/geometry/revolved_hexes.h"
 #include "support/hexahedra.h"
 
@@ -10,6 +11,14 @@ namespace ricochet::tests
 namespace
 {
 const BodyOfRevolution core({NoseShape::ogive, 6.17e-3, 27.6e-3, 10.23e-3});
+
+TEST(HexahedralBody, RefusesFoldedCells)
+{
+  HexSolid cube = block({1, 1, 1}, 2.);
+  std::swap(cube.nodes[0], cube.nodes[1]);
+  ASSERT_LT(scaled_jacobian(cube, 0), 0.);
+  EXPECT_THROW(HexahedralBody(cube, steel(), false), InputError);
+}
 
 TEST(HexahedralBody, SpinningProjectileKeepsEnergyAndMomenta)
 {

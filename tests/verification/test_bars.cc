@@ -58,7 +58,8 @@ Impact collide(HexahedralBody &bar, PeridynamicBody &target, const bool moves,
     target.update_ghosts();
     target.compute_internal_forces({true});
     surface.update(bar.position(), 2. * spacing);
-    const auto reaction = contact.evaluate(bar, surface, Vector3::Zero(), target);
+    const auto reaction = contact.add_forces({bar.position(), bar.velocity(), bar.force()}, surface,
+                                             Vector3::Zero(), target);
     if (reaction.normal.x() > 0.5 * plateau)
     {
       first = first < 0. ? t : first;

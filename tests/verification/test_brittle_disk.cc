@@ -81,7 +81,7 @@ TEST(BrittleDisk, KeepsItsSymmetryAndBreaksEvenly)
       ++n_steps_whole;
       EXPECT_LT(asymmetry(disk), 1e-8 * speed) << "step " << step;
     }
-    const auto reaction = contact.evaluate(sphere, disk);
+    const auto reaction = contact.add_forces(sphere, disk);
     debris.add_forces(dt);
     disk.advance(dt, dt);
     sphere.advance(reaction.force(), reaction.moment, dt, dt);

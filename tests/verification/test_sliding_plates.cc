@@ -46,7 +46,7 @@ double stopping_distance(const double mu)
       body->update_ghosts();
       body->compute_internal_forces({false});
     }
-    contact.evaluate(dt);
+    contact.add_forces(dt);
     double v = 0.;
     x        = 0.;
     for_each_point(sliding,

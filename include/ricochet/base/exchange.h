@@ -2,6 +2,7 @@
 // Lists from every rank to every rank.
 #pragma once
 
+#include "ricochet/base/mpi_tags.h"
 #include "ricochet/base/vector.h"
 
 #include <cstdint>
@@ -37,13 +38,13 @@ std::vector<std::vector<Item>> exchange_lists(const MPI_Comm communicator,
     if (n_receive[r] > 0)
     {
       received[r].resize(n_receive[r] / sizeof(Item));
-      MPI_Irecv(received[r].data(), n_receive[r], MPI_BYTE, static_cast<int>(r), 1001, communicator,
-                &requests.emplace_back());
+      MPI_Irecv(received[r].data(), n_receive[r], MPI_BYTE, static_cast<int>(r), mpi_tag::lists,
+                communicator, &requests.emplace_back());
     }
   for (std::size_t r = 0; r < n_ranks; ++r)
     if (n_send[r] > 0)
-      MPI_Isend(lists[r].data(), n_send[r], MPI_BYTE, static_cast<int>(r), 1001, communicator,
-                &requests.emplace_back());
+      MPI_Isend(lists[r].data(), n_send[r], MPI_BYTE, static_cast<int>(r), mpi_tag::lists,
+                communicator, &requests.emplace_back());
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   return received;
 }

@@ -1,77 +1,50 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact of the points of a peridynamic body with a rigid body: points are spheres of diameter dx,
-// the rigid body is its smooth surface. Per touching point
-//   normal   f_n = k depth n,  k = factor E dx  (potential k depth^2 / 2, so the normal force
-//   conserves energy) friction f_t = -mu(v_t) f_n v_t/|v_t|, linear in v_t below the regularisation
-//   speed shank    f_s = -fraction mu(v_t) A dx^2 v_t/|v_t| on the cylindrical part
-//   (cavity-expansion resistance A)
-// with equal and opposite forces and their moments on the rigid body.
+// the rigid body is its smooth surface. Each point in touch gets the forces of contact/pair_law.h
+// with depth = dx/2 - distance and k = factor E dx, the shank's on the cylindrical part alone; the
+// rigid body gets the opposite with its moment.
 #pragma once
 
 #include "ricochet/bodies/rigid_body.h"
+#include "ricochet/contact/contact_record.h"
 #include "ricochet/contact/friction_law.h"
-#include "ricochet/peridynamics/peridynamic_body.h"
-#include "ricochet/peridynamics/plane_sums.h"
-
-#include <memory>
+#include "ricochet/contact/friction_work.h"
+#include "ricochet/contact/pair_law.h"
 
 namespace ricochet
 {
 class RigidContact
 {
 public:
-  struct Parameters
-  {
-    double stiffness;            // k [N/m]
-    double shank_force;          // fraction times A dx^2 [N]
-    double regularisation_speed; // [m/s]
-  };
+  using Parameters = PairLaw<double>;
 
-  /// What the points do to the rigid body, over all ranks; with a symmetry plane the other half
-  /// included.
-  struct Reaction
-  {
-    Vector3 normal          = Vector3::Zero(); // [N]
-    Vector3 friction        = Vector3::Zero(); // [N]
-    Vector3 shank           = Vector3::Zero(); // [N]
-    Vector3 moment          = Vector3::Zero(); // about the centroid, of all three [N m]
-    Vector3 friction_moment = Vector3::Zero(); // of friction and shank alone [N m]
-    double energy           = 0.;              // stored in the penalty springs [J]
-    double deepest          = 0.; // penetration of a point's centre below the surface plus dx/2 [m]
-    double n_touching       = 0.; // points
-    bool on_elements        = false; // some of them follow finite elements, which do not break
-
-    Vector3 force() const { return normal + friction + shank; }
-    Reaction &operator+=(const Reaction &other);
-  };
-
-  /// `law` must outlive this object. `mirrored`: y = 0 is a symmetry plane.
+  /// `law` must outlive this object. `mirrored`: y = 0 is a symmetry plane. `n_planes`: of the
+  /// plate's lattice.
   RigidContact(MPI_Comm communicator, const FrictionLaw &law, const Parameters &parameters,
                bool mirrored, int n_planes);
 
-  /// Adds contact forces to the points and returns the reaction. Collective.
-  Reaction evaluate(const RigidBody &projectile, PeridynamicBody &plate);
+  /// Adds contact forces to the points, which must outlive the next record_work(). What the rigid
+  /// body gets is in the record: force() and moment. Collective.
+  ContactRecord add_forces(const RigidBody &projectile, PeridynamicBody &plate);
 
   /// Adds the friction work the points received in this step to the ledger: call after their kick,
-  /// which is `dt` long.
-  void record_work(const PeridynamicBody &plate, double dt);
+  /// which is `dt` long [s].
+  void record_work(const double dt) { work_.record(dt); }
   /// Work of friction and shank forces on the points so far, both halves [J]. Collective.
-  double work_on_points() const;
+  double work_on_points() const { return multiplicity_ * work_.total(communicator_); }
 
 private:
-  struct ActiveContact
-  {
-    std::ptrdiff_t point;
-    Vector3 friction; // with shank [N]
-    Vector3 velocity; // before the kick [m/s]
-  };
+  void add_point_forces(std::ptrdiff_t point, const Vector3 &position,
+                        const BodyOfRevolution::Hit &hit, double depth, const RigidBody &projectile,
+                        PeridynamicBody &plate);
+  ContactRecord record(double spacing) const;
 
   MPI_Comm communicator_;
   const FrictionLaw &law_;
-  Parameters parameters_;
+  PairLaw<double> pair_law_;
   double multiplicity_; // 2 with a symmetry plane
-  PlaneSums<17> sums_;
-  PlaneSums<1> work_;
-  std::vector<ActiveContact> active_;
+  PlaneSums<17> sums_;  // normal, friction, shank, moment, friction's moment, energy, points
+  FrictionWork work_;
+  double deepest_ = 0., on_elements_ = 0.; // of this rank
 };
 } // namespace ricochet

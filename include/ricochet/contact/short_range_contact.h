@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Short-range contact of points that no bond connects (Macek and Silling 2007): debris does not
-// interpenetrate, and bodies touch and rub. Per pair
-//   normal    f_n = k (d - r) for r < d,   d = min(0.9 |X_j - X_i|, 1.35 dx),
-//             k = factor 18 K V^2 / (pi delta^5)
-//   friction  f_t = -mu(v_t) f_n v_t/|v_t|, where v_t is the relative velocity without its part
-//             along the pair
-// equal and opposite. Two points of one body touch if their bond is broken, or if they never had
-// one and at least one of them is damaged; points of different bodies always do
-// (contact/contact_pairs.h).
+// interpenetrate, and bodies touch and rub. Per pair the forces of contact/pair_law.h on both
+// points, equal and opposite, with
+//   depth  d - r for r < d,   d = min(0.9 |X_j - X_i|, 1.35 dx)
+//   k      factor 18 K V^2 / (pi delta^5)
+// and friction bounded so that it never drives points back. Two points of one body touch if their
+// bond is broken, or if they never had one and at least one of them is damaged; points of different
+// bodies always do.
 //
 // Points do not rotate, so friction between two of them keeps linear momentum to rounding but not
 // angular momentum: what is missing is the couple of the two forces, whose arm is r.
 #pragma once
 
 #include "ricochet/bodies/interaction.h"
-#include "ricochet/contact/contact_pairs.h"
+#include "ricochet/contact/contact_bodies.h"
 #include "ricochet/contact/friction_law.h"
-#include "ricochet/peridynamics/plane_sums.h"
+#include "ricochet/contact/friction_work.h"
+
+#include <memory>
+#include <string>
 
 namespace ricochet
 {
+class ContactPairs;
+
 class ShortRangeContact : public Interaction
 {
 public:
@@ -37,6 +41,7 @@ public:
                     const std::string &search = "linked cells");
   ShortRangeContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
                     const std::string &search, const Friction &friction);
+  ~ShortRangeContact() override;
 
   /// Adds contact forces to the bodies' forces. `dt`: the coming step [s]; it tells how far points
   /// may get before the pairs are searched again, and how much friction it takes to stop them.
@@ -44,8 +49,8 @@ public:
   void add_forces(double dt) override;
 
   /// Adds the work of friction in this step to the ledger: call after the bodies' kick, which is
-  /// `dt` long.
-  void record_work(double dt) override;
+  /// `dt` long [s].
+  void record_work(const double dt) override { work_.record(dt); }
 
   /// Energy stored in the repulsion, both halves [J]. Collective.
   double energy() const override;
@@ -55,47 +60,41 @@ public:
   /// Pairs that touch; a point and an image count as half of one. Collective.
   double n_touching() const;
   /// Points have appeared in a body, or changed their flat index or rank, since the last
-  /// evaluate(); the same on all ranks.
-  void bodies_changed() override { pairs_.bodies_changed(); }
+  /// add_forces(); the same on all ranks.
+  void bodies_changed() override;
   /// How often all pairs have been searched, and how many points have been searched alone.
-  long n_searches() const { return pairs_.n_searches(); }
-  long n_single_searches() const { return pairs_.n_single_searches(); }
+  long n_searches() const;
+  long n_single_searches() const;
 
   /// Upper bound of the squared frequency which this contact adds to a point of the body [1/s^2].
   double squared_frequency(const PeridynamicBody &body) const;
 
 private:
-  using Follower = ContactGhosts::Follower; // flat < 0: not a point of this rank
-
+  /// One of two points that touch.
+  struct End
+  {
+    std::ptrdiff_t flat; // < 0: not a point of this rank
+    int body;
+  };
   /// Two points that touch now, and how.
   struct ActiveContact
   {
-    Follower first, second;
+    End first, second;
     Vector3 apart, velocity; // of the second relative to the first [m], [m/s]
     double distance;         // at which they begin to touch [m]
     double stiffness;        // [N/m]
     double mass;             // reduced one of the two [kg]
   };
-  struct Contact
+  struct StoredEnergy
   {
-    Follower first, second;
+    End first, second;
     double energy; // [J]
-  };
-  /// A point of this rank that something rubs against.
-  struct Rubbed
-  {
-    std::ptrdiff_t point;
-    int body;
-    Vector3 force;    // of friction [N]
-    Vector3 velocity; // before the kick [m/s]
   };
 
   double stiffness(int body, int other_body) const; // k of a pair [N/m]
-  void push_former_neighbours(std::size_t body, double dt);
-  void push_non_bonded_pairs(double dt);
-  void push(const ActiveContact &touch, double dt);
-  Vector3 friction(const Vector3 &normal, const Vector3 &velocity, double pressure, double mass,
-                   double dt) const;
+  void add_broken_bond_forces(std::size_t body, double dt);
+  void add_non_bonded_forces(double dt);
+  void add_pair_forces(const ActiveContact &contact, double dt);
 
   MPI_Comm communicator_;
   Bodies bodies_;
@@ -103,10 +102,9 @@ private:
   bool mirrored_;
   Friction friction_;
   std::vector<double> stiffness_; // k within each body [N/m]
-  ContactPairs pairs_;
+  std::unique_ptr<ContactPairs> pairs_;
   std::vector<std::int32_t> touching_; // workspace
-  std::vector<Contact> contacts_;
-  std::vector<Rubbed> rubbed_;
-  PlaneSums<1> work_; // of friction [J]
+  std::vector<StoredEnergy> energies_; // of the pairs that touch
+  FrictionWork work_;
 };
 } // namespace ricochet

@@ -13,8 +13,8 @@ class Halo
 {
 public:
   /// Collective in use: every rank of the communicator must call exchange() the same number of
-  /// times.
-  Halo(MPI_Comm communicator, const Lattice &lattice, int tag);
+  /// times. `body`: its number, which keeps the messages of several bodies apart.
+  Halo(MPI_Comm communicator, const Lattice &lattice, int body);
 
   /// Copies the neighbours' outermost owned planes of each field into this rank's ghost planes.
   void exchange(std::initializer_list<double *> fields);

@@ -13,7 +13,6 @@ class Projectile : public Body
 {
 public:
   using Motion   = RigidBody::Motion;
-  using Reaction = RigidContact::Reaction;
 
   const BodyOfRevolution &body() const { return body_; } // undeformed
   double mass() const { return mass_; }                  // [kg]
@@ -27,7 +26,7 @@ public:
   virtual SurfaceFrame surface() const                     = 0;
 
   /// Adds the forces of contact to plate number `plate` and to the body. Collective.
-  virtual Reaction add_contact_forces(std::size_t plate, PeridynamicBody &points)       = 0;
+  virtual ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points)       = 0;
   /// The work of friction in this step on the plate's points, after their kick [s].
   virtual void record_work(std::size_t plate, const PeridynamicBody &points, double dt) = 0;
   /// Work of friction on body and points so far, both halves; minus the heat [J]. Collective.

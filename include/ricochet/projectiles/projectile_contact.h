@@ -24,11 +24,11 @@ public:
   double friction_work() const override { return projectile_.friction_work(); }
 
   /// Of all plates, at the last add_forces().
-  const Projectile::Reaction &record() const { return record_; }
+  const ContactRecord &record() const { return record_; }
 
 private:
   Projectile &projectile_;
   std::vector<PeridynamicBody *> plates_;
-  Projectile::Reaction record_;
+  ContactRecord record_;
 };
 } // namespace ricochet

@@ -41,7 +41,7 @@ public:
   const Scene &scene() const { return scene_; }
   const Projectile &projectile() const { return *projectile_; }
   /// Of all plates on the projectile, at the last compute_forces().
-  const RigidContact::Reaction &reaction() const { return projectile_contact_->record(); }
+  const ContactRecord &reaction() const { return projectile_contact_->record(); }
 
   std::size_t n_plates() const { return plates_.size(); }
   const Plate &plate(const std::size_t i) const { return plates_[i]; }

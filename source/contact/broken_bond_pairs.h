@@ -2,18 +2,11 @@
 // Lists the pairs of one body's points whose bond is broken and that may touch.
 #pragma once
 
-#include "ricochet/contact/pair_list.h"
+#include "pair_list.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
 
 namespace ricochet
 {
-/// Distance below which two points touch, given that between them in the reference configuration
-/// and the spacing [m].
-inline double contact_distance(const double reference_distance, const double spacing)
-{
-  return std::min(0.9 * reference_distance, 1.35 * spacing);
-}
-
 class BrokenBondPairs
 {
 public:
@@ -26,9 +19,9 @@ public:
   /// The body must outlive this object.
   explicit BrokenBondPairs(const PeridynamicBody &body);
 
-  /// Lists all that may touch before either has got further than its reach, anew. `reach`: per
-  /// entry of the lattice's fields [m].
-  void list(const std::vector<double> &reach);
+  /// Lists all that may touch before either has left its skin, anew. `skin`: per entry of the
+  /// lattice's fields [m].
+  void list(const std::vector<double> &skin);
   /// Adds those whose bond the last evaluation has broken.
   void add_newly_broken();
   /// Adds a point and the one at the end of its bond number `offset`, if that is broken.

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/contact/friction_work.h"
+
+#include "field_values.h"
+#include "ricochet/contact/pair_law.h"
+
+namespace ricochet
+{
+void FrictionWork::add(const PeridynamicBody &body, const std::ptrdiff_t point,
+                       const Vector3 &force)
+{
+  forces_.push_back({&body, point, force, at(body.state().arrays.velocity, point)});
+}
+
+void FrictionWork::record(const double dt)
+{
+  for (const auto &[body, point, force, before] : forces_)
+    work_[body->lattice().plane_of(point)][0] +=
+        work_of_step(force, before, at(body->state().arrays.velocity, point), dt);
+}
+} // namespace ricochet
