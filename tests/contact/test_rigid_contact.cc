@@ -248,7 +248,7 @@ TEST(RigidContact, BlockSlidingOnAFlatFaceStopsWhereCoulombSays)
   for (int i = 0; i * dt < 1.5 * v0 / (mu * g); ++i)
   {
     block->update_ghosts();
-    block->evaluate(false, false);
+    block->compute_internal_forces({false});
     contact.add_forces(ground, *block);
     for_each_point(*block,
                    [&](const std::ptrdiff_t p) { a.force[2][p] -= block->point_mass() * g; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/base/exceptions.h"
-#include "ricochet/dynamics/elastic_body_time_step.h"
+#include "ricochet/dynamics/largest_frequency.h"
 #include "ricochet/geometry/revolved_hexes.h"
 #include "support/hexahedra.h"
 

@@ -21,7 +21,7 @@ TEST(ContactSearchInRuns, DoNotDependOnTheMethod)
       Simulation simulation(MPI_COMM_WORLD, variant);
       for (int step = 0; step < 100; ++step)
       {
-        simulation.evaluate(/*energy=*/step == 99);
+        simulation.compute_forces(/*energy=*/step == 99);
         if (step < 99)
           simulation.advance();
       }

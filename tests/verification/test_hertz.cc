@@ -48,7 +48,7 @@ TEST(Hertz, SteelBallOnPmmaHasTheForceDurationAndReturnOfTheory)
   for (int step = 0; step * dt < 1.3 * duration; ++step)
   {
     block->update_ghosts();
-    block->evaluate(/*breaking=*/false, /*energy=*/false);
+    block->compute_internal_forces({false});
     const auto reaction = contact.add_forces(ball, *block);
     largest             = std::max(largest, reaction.normal.z());
     if (reaction.n_touching > 0.)
