@@ -4,6 +4,7 @@
 #include "coupling_reader.h"
 #include "parameter_writer.h"
 #include "parameters.h"
+#include "ricochet/base/elastic_constants.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
 #include "ricochet/materials/bond_laws.h"
@@ -409,16 +410,15 @@ MaterialParameters read_material(const Parameters &parameters, const std::string
     if (!(nu > -1. && nu < 0.5))
       parameters.fail(in, "Poisson's ratio", "No stable isotropic solid has this Poisson's ratio.",
                       "Choose a value between -1 and 0.5, both excluded.");
-    material.bulk_modulus  = E / (3. * (1. - 2. * nu));
-    material.shear_modulus = E / (2. * (1. + nu));
+    material.bulk_modulus  = bulk_modulus(E, nu);
+    material.shear_modulus = shear_modulus(E, nu);
   }
 
   material.relaxation = read_relaxation(parameters, in);
   if (parameters.text(in, "History precision") == "double")
     material.history_precision = HistoryPrecision::double_precision;
 
-  const double K = material.bulk_modulus, mu = material.shear_modulus;
-  const double nu = (3. * K - 2. * mu) / (2. * (3. * K + mu));
+  const double nu = poissons_ratio(material.bulk_modulus, material.shear_modulus);
   if (bond_law(material.bond_model).fixes_poisson_ratio && std::abs(nu - 0.25) > 0.0025)
     parameters.fail(in, "Bond model",
                     "With this model Poisson's ratio is 0.25, but the moduli give " +
