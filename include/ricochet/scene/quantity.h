@@ -3,34 +3,13 @@
 // SI. A number without a unit is plain only where a plain number is meant.
 #pragma once
 
+#include "ricochet/base/dimension.h"
+
 #include <string>
 #include <vector>
 
 namespace ricochet
 {
-enum class Dimension
-{
-  number, // dimensionless, written without a unit
-  length,
-  time,
-  mass,
-  angle,
-  speed,
-  slowness, // inverse speed
-  density,
-  stress,
-  surface_energy
-};
-
-/// Values a quantity may take.
-enum class Limit
-{
-  any,
-  not_negative,
-  positive,
-  fraction // 0 to 1, both included
-};
-
 /// "a length", "an angle".
 std::string dimension_name(Dimension dimension);
 
