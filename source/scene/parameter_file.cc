@@ -46,11 +46,6 @@ void add_section(Content &content, const ParameterSection &section)
   content.sections.push_back(section);
 }
 
-std::string path_name(const std::string &section, const std::string &name)
-{
-  return section.empty() ? name : section + "/" + name;
-}
-
 std::string read_text(const fs::path &path, const std::string &asked_by)
 {
   const std::string where = asked_by.empty() ? "" : asked_by + ": ";
@@ -157,7 +152,7 @@ private:
                                squeezed(rest.substr(equals + 1)), origin(line_)};
     if (const ParameterEntry *const first = find(own_.entries, entry))
       fail(line_,
-           in_quotes(path_name(section_, entry.name)) + " is already set in " + first->origin,
+           in_quotes(entry_path(section_, entry.name)) + " is already set in " + first->origin,
            "Remove one of the two lines.");
     own_.entries.push_back(entry);
   }
@@ -284,7 +279,7 @@ ParameterFile ParameterFile::from_text(const std::string &text, const std::strin
   for (const auto &entry : overrides)
   {
     if (const ParameterEntry *const first = find(seen, entry))
-      throw InputError(entry.origin + ": " + in_quotes(path_name(entry.section, entry.name)) +
+      throw InputError(entry.origin + ": " + in_quotes(entry_path(entry.section, entry.name)) +
                        " is set twice, to " + in_quotes(first->value) + " (" + first->origin +
                        ") and to " + in_quotes(entry.value) + ".\n  Give one of the two.");
     seen.push_back(entry);

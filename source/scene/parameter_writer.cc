@@ -16,10 +16,10 @@ std::string padded(std::string text, const std::size_t width)
   return text;
 }
 
-std::size_t longest_name(const SectionDeclaration &section)
+std::size_t longest_name(const Section &section)
 {
   std::size_t longest = 0;
-  for (const auto &entry : section.entries)
+  for (const Entry &entry : section.entries())
     longest = std::max(longest, entry.name.size());
   return longest;
 }
@@ -41,50 +41,74 @@ void write_comment(const std::string &text, const std::string &indent, std::ostr
   out << line << '\n';
 }
 
-/// Whether the entry belongs to the second or a later option of a choice.
-bool is_alternative(const SectionDeclaration &section, const std::string &name)
+bool is_among(const Entry &entry, const Entries &entries)
 {
-  for (const auto &choice : section.choices)
+  return std::find(entries.begin(), entries.end(), &entry) != entries.end();
+}
+
+/// Whether the entry belongs to the second or a later option of a choice.
+bool is_alternative(const Section &section, const Entry &entry)
+{
+  for (const Choice &choice : section.choices())
     for (std::size_t i = 1; i < choice.options.size(); ++i)
-      if (std::find(choice.options[i].begin(), choice.options[i].end(), name) !=
-          choice.options[i].end())
+      if (is_among(entry, choice.options[i]))
         return true;
   return false;
 }
+
 /// Whether nothing happens without the entry: no default, and no choice asks for it.
-bool is_extra(const SectionDeclaration &section, const EntryDeclaration &entry)
+bool is_extra(const Section &section, const Entry &entry)
 {
-  if (entry.presence == Presence::required || !entry.default_value.empty())
+  if (entry.is_required || !entry.default_value.empty())
     return false;
-  for (const auto &choice : section.choices)
-    for (const auto &option : choice.options)
-      if (std::find(option.begin(), option.end(), entry.name) != option.end())
+  for (const Choice &choice : section.choices())
+    for (const Entries &option : choice.options)
+      if (is_among(entry, option))
         return false;
   return true;
 }
+
+void write_template(const Section &section, std::ostream &out)
+{
+  const std::string indent = section.name().empty() ? "" : "  ";
+  if (!section.name().empty())
+  {
+    out << '\n';
+    write_comment(section.documentation(), "", out);
+    out << "subsection " << section.name() << '\n';
+  }
+  for (const Entry &entry : section.entries())
+  {
+    write_comment(entry.documentation + ": " + entry.pattern->expected() + ".", indent, out);
+    const bool named_after_file =
+        !entry.default_value.empty() && entry.default_value != entry.example;
+    const bool commented_out =
+        named_after_file || is_alternative(section, entry) || is_extra(section, entry);
+    out << indent << (commented_out ? "# set " : "set ")
+        << padded(entry.name, longest_name(section)) << " = " << entry.example << '\n';
+  }
+  if (!section.name().empty())
+    out << "end\n";
+}
 } // namespace
 
-void write_parameters(const Parameters &parameters, std::ostream &out)
+void write_parameters(const std::vector<Section> &sections, std::ostream &out)
 {
-  for (const auto &section : parameters.sections())
+  for (const Section &section : sections)
   {
-    const std::string indent = section.name.empty() ? "" : "  ";
-    if (!section.name.empty())
-      out << "\nsubsection " << section.name << '\n';
-    for (const auto &entry : section.entries)
-    {
-      const std::string value = parameters.text(section.name, entry.name);
-      if (value.empty())
-        continue;
-      out << indent << "set " << padded(entry.name, longest_name(section)) << " = " << value
-          << (parameters.is_given(section.name, entry.name) ? "" : " # default") << '\n';
-    }
-    if (!section.name.empty())
+    const std::string indent = section.name().empty() ? "" : "  ";
+    if (!section.name().empty())
+      out << "\nsubsection " << section.name() << '\n';
+    for (const Entry &entry : section.entries())
+      if (!entry.text().empty())
+        out << indent << "set " << padded(entry.name, longest_name(section)) << " = "
+            << entry.text() << (entry.is_given() ? "" : " # default") << '\n';
+    if (!section.name().empty())
       out << "end\n";
   }
 }
 
-void write_template(const std::vector<SectionDeclaration> &sections, std::ostream &out)
+void write_template(const std::vector<Section> &sections, std::ostream &out)
 {
   write_comment("Parameters of an oblique impact. Every value carries its unit; everything after "
                 "a # is a comment. An entry behind a # has a default, or stands for the one before "
@@ -92,27 +116,7 @@ void write_template(const std::vector<SectionDeclaration> &sections, std::ostrea
                 "the plate and the flight, y across, z up.",
                 "", out);
   out << '\n';
-  for (const auto &section : sections)
-  {
-    const std::string indent = section.name.empty() ? "" : "  ";
-    if (!section.name.empty())
-    {
-      out << '\n';
-      write_comment(section.documentation, "", out);
-      out << "subsection " << section.name << '\n';
-    }
-    for (const auto &entry : section.entries)
-    {
-      write_comment(entry.documentation + ": " + entry.pattern->expected() + ".", indent, out);
-      const bool named_after_file =
-          !entry.default_value.empty() && entry.default_value != entry.example;
-      const bool commented_out =
-          named_after_file || is_alternative(section, entry.name) || is_extra(section, entry);
-      out << indent << (commented_out ? "# set " : "set ")
-          << padded(entry.name, longest_name(section)) << " = " << entry.example << '\n';
-    }
-    if (!section.name.empty())
-      out << "end\n";
-  }
+  for (const Section &section : sections)
+    write_template(section, out);
 }
 } // namespace ricochet

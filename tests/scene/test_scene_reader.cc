@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/scene_reader.h"
 
-#include "scene/declarations.h"
+#include "scene/scene_sections.h"
 #include "support/scene_text.h"
 
 #include <cmath>
@@ -544,8 +544,9 @@ TEST(Template, EveryEntryHasACommentAboveIt)
     last = line;
   }
   std::size_t n_declared = 0;
-  for (const auto &section : scene_declarations("mine", 1, {"PMMA"}))
-    n_declared += section.entries.size();
+  Scene scene            = empty_scene(1, {"PMMA"});
+  for (const auto &section : scene_sections("mine", scene))
+    n_declared += section.entries().size();
   EXPECT_EQ(n_entries, n_declared);
 }
 } // namespace

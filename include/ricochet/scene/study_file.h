@@ -60,6 +60,9 @@ std::string group_name(const StudyParameters &study, const StudyCase &one);
 /// The same to be read: "1.5 mm, 198 mm"; plain numbers carry the name of their entry.
 std::string group_title(const StudyParameters &study, const StudyCase &one);
 
+/// Whether the file describes a study, and not a scene.
+bool is_study_file(const ParameterFile &file);
+
 /**
  * Reads a study and every one of its cases, so that a mistake in the last one is found before the
  * first one runs. Throws InputError or FileError like ParameterFile and read_scene.
