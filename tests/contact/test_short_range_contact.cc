@@ -328,7 +328,7 @@ struct Pair
 
 TEST(ShortRangeContact, PointsOfTwoBodiesRubByTheStatedLaw)
 {
-  const ExponentialFriction law({"exponential", 0.5, 0.05, 0.01, 5.});
+  const ExponentialFriction law({0.5, 0.05, 0.01});
   const double factor = 0.8, v_reg = 5., dt = 1e-9; // too short to be stopped in
   Pair pair({&law, factor, v_reg});
   const double f_n = 0.15 * dx * pair_stiffness(*pair.bodies[0], 1.); // 1.35 dx - 1.2 dx
