@@ -43,11 +43,6 @@ std::string QuantityPattern::expected() const
   return n_values_ > 0 ? text : "one or more values separated by commas, each " + text;
 }
 
-std::unique_ptr<dealii::Patterns::PatternBase> QuantityPattern::clone() const
-{
-  return std::make_unique<QuantityPattern>(*this);
-}
-
 std::vector<double> QuantityPattern::values(const std::string &text) const
 {
   return parse_quantities(text, dimension_, limit_, n_values_).values;
@@ -67,15 +62,5 @@ std::string ChoicePattern::expected() const
   return joined(choices_, " or ");
 }
 
-std::unique_ptr<dealii::Patterns::PatternBase> ChoicePattern::clone() const
-{
-  return std::make_unique<ChoicePattern>(*this);
-}
-
 TextPattern::TextPattern(std::string expected) : expected_(std::move(expected)) {}
-
-std::unique_ptr<dealii::Patterns::PatternBase> TextPattern::clone() const
-{
-  return std::make_unique<TextPattern>(*this);
-}
 } // namespace ricochet

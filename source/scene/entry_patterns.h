@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the value of an entry has to look like, as deal.II patterns that can also say what is wrong
-// with a value and what is expected instead.
+// What the value of an entry has to look like: patterns that say what is wrong with a value and
+// what is expected instead.
 #pragma once
 
 #include "ricochet/scene/quantity.h"
 
-#include <deal.II/base/patterns.h>
-
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace ricochet
 {
-/// Base of all patterns of this program. An empty text always matches: it means "not given".
-class EntryPattern : public dealii::Patterns::PatternBase
+/// Base of all patterns. An empty text is never asked about: it means "not given".
+class EntryPattern
 {
 public:
+  virtual ~EntryPattern() = default;
+
   /// Why the value does not fit, a sentence; "" if it fits.
   virtual std::string problem(const std::string &value) const = 0;
 
   /// What is expected, "a length above 0 in um, mm, cm, m or in".
   virtual std::string expected() const = 0;
-
-  bool match(const std::string &value) const override
-  {
-    return value.empty() || problem(value).empty();
-  }
-  std::string description(OutputStyle = Machine) const override { return "[" + expected() + "]"; }
 };
 
 /// One quantity, a tuple of quantities of the same dimension, or a list of any length.
@@ -41,7 +34,11 @@ public:
 
   std::string problem(const std::string &value) const override;
   std::string expected() const override;
-  std::unique_ptr<PatternBase> clone() const override;
+
+  Dimension dimension() const { return dimension_; }
+  Limit limit() const { return limit_; }
+  const std::vector<std::string> &components() const { return components_; }
+  bool is_list() const { return n_values_ == 0; }
 
   /// The values in SI; the text must match.
   std::vector<double> values(const std::string &text) const;
@@ -61,7 +58,8 @@ public:
 
   std::string problem(const std::string &value) const override;
   std::string expected() const override;
-  std::unique_ptr<PatternBase> clone() const override;
+
+  const std::vector<std::string> &choices() const { return choices_; }
 
 private:
   std::vector<std::string> choices_;
@@ -76,7 +74,6 @@ public:
 
   std::string problem(const std::string &) const override { return ""; }
   std::string expected() const override { return expected_; }
-  std::unique_ptr<PatternBase> clone() const override;
 
 private:
   std::string expected_;

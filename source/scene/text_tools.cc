@@ -63,6 +63,11 @@ std::string joined(const std::vector<std::string> &words, const std::string &las
   return result;
 }
 
+std::string entry_path(const std::string &section, const std::string &name)
+{
+  return section.empty() ? name : section + "/" + name;
+}
+
 std::string lower_case(std::string text)
 {
   for (char &c : text)

@@ -16,6 +16,9 @@ std::vector<std::string> split(const std::string &text, char separator);
 /// "a, b or c" with last_separator " or ".
 std::string joined(const std::vector<std::string> &words, const std::string &last_separator = ", ");
 
+/// "Plate 1/Grid spacing", or the name alone for an entry at the top.
+std::string entry_path(const std::string &section, const std::string &name);
+
 std::string lower_case(std::string text);
 
 /**

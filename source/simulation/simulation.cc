@@ -84,7 +84,7 @@ void Simulation::build_projectile()
     parameters.stiffness = contact_stiffness(*plate);
     parameters.shank_force =
         contact.shank_contact_fraction * contact.shank_resistance * spacing * spacing;
-    parameters.regularisation_speed = contact.friction.regularisation_speed;
+    parameters.regularisation_speed = contact.regularisation_speed;
     plate_contacts.push_back({parameters, spacing, plate->lattice().box().n[0]});
   }
   projectile_ = make_projectile(communicator_, scene_, *friction_law_, plate_contacts);
@@ -113,7 +113,7 @@ void Simulation::build_contact()
   ShortRangeContact::Friction friction;
   if (contact.debris_friction > 0.)
     friction = {friction_law_.get(), contact.debris_friction,
-                contact.friction.regularisation_speed};
+                contact.regularisation_speed};
   short_range_contact_ = std::make_unique<ShortRangeContact>(
       communicator_, plates(), contact.debris_factor, scene_.symmetric, contact.search, friction);
 }

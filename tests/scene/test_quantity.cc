@@ -138,11 +138,9 @@ TEST(QuantityPattern, ListTakesAnyNumberOfValues)
 TEST(QuantityPattern, DescribesWhatItMatches)
 {
   const QuantityPattern pattern(Dimension::length, Limit::positive);
-  const auto copy = pattern.clone();
-  EXPECT_TRUE(copy->match("3 mm"));
-  EXPECT_FALSE(copy->match("3"));
-  EXPECT_TRUE(copy->match("")); // not given
-  EXPECT_EQ(copy->description(), "[a length above 0 in um, mm, cm, m or in]");
+  EXPECT_EQ(pattern.problem("3 mm"), "");
+  EXPECT_EQ(pattern.problem("3"), "The unit is missing.");
+  EXPECT_EQ(pattern.expected(), "a length above 0 in um, mm, cm, m or in");
 }
 
 TEST(ChoicePattern, SuggestsTheNearestChoice)

@@ -3,40 +3,22 @@
 // SI. A number without a unit is plain only where a plain number is meant.
 #pragma once
 
+#include "ricochet/base/dimension.h"
+
 #include <string>
 #include <vector>
 
 namespace ricochet
 {
-enum class Dimension
-{
-  number, // dimensionless, written without a unit
-  length,
-  time,
-  mass,
-  angle,
-  speed,
-  slowness, // inverse speed
-  density,
-  stress,
-  surface_energy
-};
-
-/// Values a quantity may take.
-enum class Limit
-{
-  any,
-  not_negative,
-  positive,
-  fraction // 0 to 1, both included
-};
-
 /// "a length", "an angle".
 std::string dimension_name(Dimension dimension);
 
 /// The units a quantity of this dimension can be written in, "um, mm, cm, m or in"; "" for a
 /// number.
 std::string unit_names(Dimension dimension);
+
+/// The same one by one; none for a number.
+std::vector<std::string> units_of(Dimension dimension);
 
 struct ParsedQuantity
 {

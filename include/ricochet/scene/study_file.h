@@ -30,11 +30,11 @@ struct StudyAxis
 
 struct StudyCase
 {
-  std::string name;                      // "angle_10__grid_spacing_1.5_mm", also its folder
-  std::string scene_file;                // for ParameterFile, together with
-  std::vector<ParameterEntry> overrides; // the axes' values and the case's own output folder
-  std::string scene;                     // "angle_10"
-  std::vector<std::size_t> values;       // of every axis in turn, the number of its value
+  std::string name;                // "angle_10__grid_spacing_1.5_mm", also its folder
+  std::string scene;               // "angle_10"
+  std::vector<std::size_t> values; // of every axis in turn, the number of its value
+  ParameterFile file; // the scene with the axes' values and the case's own output folder
+  bool is_experiment; // of stability, for read_stability instead of read_scene
 };
 
 struct StudyParameters
@@ -59,6 +59,9 @@ std::string group_name(const StudyParameters &study, const StudyCase &one);
 
 /// The same to be read: "1.5 mm, 198 mm"; plain numbers carry the name of their entry.
 std::string group_title(const StudyParameters &study, const StudyCase &one);
+
+/// Whether the file describes a study, and not a scene.
+bool is_study_file(const ParameterFile &file);
 
 /**
  * Reads a study and every one of its cases, so that a mistake in the last one is found before the

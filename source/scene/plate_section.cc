@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/base/units.h"
+#include "sections.h"
+#include "text_tools.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ricochet
+{
+namespace
+{
+/// The rows that checks speak of, and the zone boxes before it is known which are given.
+struct PlateEntries
+{
+  PlateParameters &plate;
+  const Scene &scene;
+  std::array<std::array<double, 4>, 2> boxes = {};
+  std::array<const Entry *, 2> box           = {};
+  const Entry *size = nullptr, *spacing = nullptr, *horizon = nullptr, *material = nullptr,
+              *gap = nullptr, *absorbing = nullptr;
+
+  void read_zone_boxes() const;
+  void check_edges() const;
+  void check_horizon() const;
+  void check_number_of_points() const;
+  void check_gap() const;
+  void check_material() const;
+};
+
+/// Three digits, so that it can be typed, and not above the value.
+std::string at_most(const double length)
+{
+  const double mm   = length / units::mm * (1. + 1e-12);
+  const double step = std::pow(10., std::floor(std::log10(mm)) - 2.);
+  return number_text(std::floor(mm / step) * step) + " mm";
+}
+
+void PlateEntries::read_zone_boxes() const
+{
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (box[i]->is_given())
+    {
+      const auto &[x_from, x_to, y_from, y_to] = boxes[i];
+      if (x_from >= x_to || y_from >= y_to || x_from >= plate.length || x_to <= 0. ||
+          y_from >= plate.width / 2. || y_to <= -plate.width / 2.)
+        box[i]->fail("The box is empty or misses the plate.",
+                     "x lies between 0 mm and " + in_mm(plate.length) + ", y between -" +
+                         in_mm(plate.width / 2.) + " and " + in_mm(plate.width / 2.) +
+                         ", from below to.");
+      plate.zone_boxes.push_back(boxes[i]);
+    }
+}
+
+void PlateEntries::check_edges() const
+{
+  if (plate.absorbing_edges && !scene.zone.has_elements())
+    absorbing->fail("Only finite elements can let waves out.",
+                    "Choose 'set Zone = automatic' or 'boxes' in the section 'Coupling', or leave "
+                    "this entry out.");
+}
+
+void PlateEntries::check_horizon() const
+{
+  if (plate.horizon_ratio < 2.)
+    horizon->fail("A horizon under 2 spacings does not hold a plate together.",
+                  "Choose 2 or more; 3 is usual.");
+  const double length = plate.horizon_ratio * plate.spacing;
+  if (plate.thickness < length * (1. - 1e-9))
+    size->fail(
+        "The plate is thinner than its horizon, " + in_mm(length) + " (" +
+            number_text(plate.horizon_ratio) + " grid spacings of " + in_mm(plate.spacing) + ").",
+        "Choose a grid spacing of " + at_most(plate.thickness / plate.horizon_ratio) + " or less.");
+}
+
+void PlateEntries::check_number_of_points() const
+{
+  double n_points       = 1.;
+  const double extent[] = {plate.length, scene.symmetric ? plate.width / 2. : plate.width,
+                           plate.thickness};
+  const char *axis[]    = {"length", scene.symmetric ? "half width" : "width", "thickness"};
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const double n = std::round(extent[d] / plate.spacing);
+    n_points *= n;
+    if (n < 4.)
+      spacing->fail("The " + std::string(axis[d]) + " of " + in_mm(extent[d]) + " holds " +
+                        number_text(n) + " points; at least 4 are needed.",
+                    "Choose a grid spacing of " + at_most(extent[d] / 4.) + " or less.");
+  }
+  constexpr double most = 2e9; // points are numbered with 32 bits
+  if (n_points > most)
+    spacing->fail("The plate would have " + number_text(n_points) + " points; the limit is " +
+                      number_text(most) + ".",
+                  "Choose a larger grid spacing.");
+}
+
+void PlateEntries::check_gap() const
+{
+  if (&plate == &scene.plates.front() && plate.gap != 0.)
+    gap->fail("There is no plate above the first one.",
+              "Remove the line; the gap belongs to the lower plate.");
+}
+
+void PlateEntries::check_material() const
+{
+  std::vector<std::string> names;
+  for (const auto &present : scene.materials)
+    names.push_back(present.name);
+  if (std::find(names.begin(), names.end(), plate.material) == names.end())
+    material->fail("There is no section " + in_quotes(material_prefix + plate.material) +
+                       guess(plate.material, names),
+                   "The materials of this file are: " + joined(names) + ".");
+}
+
+/// Which part of the plate is peridynamic, and what happens at its edges.
+void add_zone_entries(Section &in, PlateEntries &rows)
+{
+  const char *names[]    = {"Zone box", "Zone box 2"};
+  const char *meanings[] = {"With 'Coupling/Zone = boxes', the column through the plate that is "
+                            "peridynamic",
+                            "Another such column"};
+  for (int i = 0; i < 2; ++i)
+  {
+    auto &box   = rows.boxes[i];
+    rows.box[i] = &in.optional(names[i],
+                               quantities({&box[0], &box[1], &box[2], &box[3]},
+                                          {"x from", "x to", "y from", "y to"}, Dimension::length,
+                                          Limit::any),
+                               "30 mm, 170 mm, -24 mm, 24 mm", meanings[i]);
+  }
+  rows.absorbing = &in.with_default(
+      "Non-reflecting edges", flag(rows.plate.absorbing_edges), "false",
+      "Whether waves leave through the plate's side faces instead of coming back, as in a larger "
+      "plate; finite elements must carry these faces");
+}
+} // namespace
+
+unsigned int plate_number(const std::string &section)
+{
+  const std::string prefix = "Plate ";
+  const std::string digits = section.substr(std::min(prefix.size(), section.size()));
+  if (section.rfind(prefix, 0) != 0 || digits.empty() || digits.size() > 4 || digits[0] == '0' ||
+      digits.find_first_not_of("0123456789") != std::string::npos)
+    return 0;
+  return static_cast<unsigned int>(std::stoul(digits));
+}
+
+Section plate_section(PlateParameters &plate, const unsigned int number, const Scene &scene)
+{
+  Section in("Plate " + std::to_string(number),
+             "The plates are numbered from top to bottom: Plate 1, Plate 2 and so on.");
+  const auto rows = std::make_shared<PlateEntries>(PlateEntries{plate, scene});
+  rows->size      = &in.required(
+           "Size",
+           quantities({&plate.length, &plate.width, &plate.thickness}, {"length", "width", "thickness"},
+                      Dimension::length, Limit::positive),
+           "200 mm, 100 mm, 30 mm", "Extent along the flight, across it in full, and downwards");
+  rows->spacing =
+      &in.required("Grid spacing", quantity(plate.spacing, Dimension::length, Limit::positive),
+                   "1.5 mm", "Distance between neighbouring points");
+  rows->horizon = &in.with_default(
+      "Horizon ratio", quantity(plate.horizon_ratio, Dimension::number, Limit::positive), "3",
+      "Horizon in grid spacings, at least 2");
+  in.with_default("Influence function",
+                  choice(plate.influence_function, influence_function_words()), "cone",
+                  "Weight of a bond over its length");
+  rows->material =
+      &in.required("Material", text(plate.material, "the NAME of a section 'Material NAME'"),
+                   "PMMA", "Material of the plate");
+  rows->gap = &in.with_default("Gap", quantity(plate.gap, Dimension::length, Limit::not_negative),
+                               "0 mm", "Distance to the plate above; 0 for the first plate");
+  add_zone_entries(in, *rows);
+
+  in.check(
+      [rows]
+      {
+        rows->read_zone_boxes();
+        rows->check_horizon();
+        rows->check_number_of_points();
+      });
+  in.check_with_others(
+      [rows]
+      {
+        rows->check_edges();
+        rows->check_gap();
+        rows->check_material();
+      });
+  return in;
+}
+} // namespace ricochet

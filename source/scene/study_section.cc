@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "study_section.h"
+
+#include "scene_sections.h"
+#include "text_tools.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace ricochet
+{
+namespace
+{
+const Words<bool> combinations{{false, "all"}, {true, "one at a time"}};
+
+/// The parts of a list; an empty list has none. Empty parts are an error.
+std::vector<std::string> list_of(const Entry &entry)
+{
+  if (entry.text().empty())
+    return {};
+  const auto parts = split(entry.text(), ',');
+  if (std::find(parts.begin(), parts.end(), "") != parts.end())
+    entry.fail("The list has an empty place.", "Remove the comma too many.");
+  return parts;
+}
+
+/// Where the value of an override comes from.
+std::string origin_of(const Entry &entry)
+{
+  return entry.origin() + " (" + entry.name + ")";
+}
+
+void check_axis_values(const Entry &entry, const StudyAxis &axis, const std::string &remedy)
+{
+  const auto &values = axis.values;
+  for (auto value = values.begin(); value != values.end(); ++value)
+  {
+    if (value->empty())
+      entry.fail("A value is missing.", remedy);
+    if (std::find(values.begin(), value, *value) != value)
+      entry.fail("The value " + in_quotes(*value) + " stands there twice.", "Remove one of them.");
+    if (const auto n = split(*value, ';').size(); n != 1 && n != axis.entries.size())
+      entry.fail(in_quotes(*value) + " gives " + std::to_string(n) + " values to " +
+                     std::to_string(axis.entries.size()) + " entries.",
+                 "Write one value for all entries, or one for each with ';' between them.");
+  }
+}
+
+StudyAxis read_axis(const Entry &entry)
+{
+  const std::string &text  = entry.text();
+  const auto colon         = text.find(':');
+  const std::string remedy = "Write 'Section/Entry: value | value', for example 'Plate 1/Grid "
+                             "spacing: 1.5 mm | 1.0 mm'.";
+  if (colon == std::string::npos)
+    entry.fail("No ':' separates the entry from its values.", remedy);
+
+  StudyAxis axis;
+  for (const auto &path : split(text.substr(0, colon), ','))
+  {
+    if (path.empty())
+      entry.fail("The name of an entry is missing.", remedy);
+    axis.entries.push_back(parse_override(path + "=", origin_of(entry)));
+  }
+  axis.values = split(text.substr(colon + 1), '|');
+  check_axis_values(entry, axis, remedy);
+  return axis;
+}
+
+/// Entries that all cases share, "Section/Entry: value; Section/Entry: value".
+std::vector<ParameterEntry> read_settings(const Entry &entry)
+{
+  std::vector<ParameterEntry> settings;
+  if (entry.text().empty())
+    return settings;
+  for (const auto &part : split(entry.text(), ';'))
+  {
+    const auto colon = part.find(':');
+    if (colon == std::string::npos || part.find('/') > colon)
+      entry.fail(in_quotes(part) + " is no entry with its value.",
+                 "Write 'Section/Entry: value; Section/Entry: value', for example "
+                 "'Output/Pictures: false'.");
+    settings.push_back(
+        parse_override(part.substr(0, colon) + "=" + part.substr(colon + 1), origin_of(entry)));
+  }
+  return settings;
+}
+
+/// names: of the axes' entries.
+void read_ensemble(const Entry &entry, std::vector<StudyAxis> &axes,
+                   const std::vector<std::string> &names)
+{
+  for (const auto &wanted : list_of(entry))
+  {
+    const auto found = std::find(names.begin(), names.end(), wanted);
+    if (found == names.end())
+      entry.fail(in_quotes(wanted) + " is no axis of this study.",
+                 names.empty() ? "The study has no axis: add 'Axis 1', for example over "
+                                 "'Time/Safety factor'."
+                               : "Name one of " + joined(names, " or ") + ".");
+    axes[found - names.begin()].is_ensemble = true;
+  }
+}
+
+/// The name of the scene that the others are compared with, or "".
+std::string read_reference(const Entry &reference, const Entry &ensemble, const bool one_at_a_time,
+                           const std::vector<std::string> &scenes)
+{
+  const std::string &text = reference.text();
+  if (text.empty())
+  {
+    if (ensemble.is_given())
+      ensemble.fail("There is no reference to compare ensembles with.",
+                    "Name one of the scenes: 'set Reference = " + scenes.front() + "'.");
+    return "";
+  }
+  if (std::find(scenes.begin(), scenes.end(), text) == scenes.end())
+    reference.fail(in_quotes(text) + " is not among the scenes.",
+                   "Write it as it stands in 'Scenes': " + joined(scenes, " or ") + ".");
+  if (scenes.size() < 2)
+    reference.fail("There is nothing to compare with it.", "Add another scene to 'Scenes'.");
+  if (one_at_a_time)
+    reference.fail("Cases are compared under the same values of all axes, but the axes are varied "
+                   "one at a time.",
+                   "Remove 'Combine', or the reference.");
+  return scene_name(text);
+}
+
+/// The entries Axis 1 to Axis most_axes.
+Entries add_axes(Section &in)
+{
+  Entries axes;
+  for (int i = 0; i < most_axes; ++i)
+    axes.push_back(&in.optional(
+        "Axis " + std::to_string(i + 1), unbound_text("Section/Entry: value | value"),
+        "Plate 1/Grid spacing: 1.5 mm | 1.0 mm",
+        "An entry of the scenes and the values it takes; several entries, with commas between "
+        "them, take the same value or one each: 'value; value | value; value'"));
+  return axes;
+}
+
+struct ComparisonRows
+{
+  const Entry *reference, *ensemble;
+};
+
+ComparisonRows add_comparison(Section &in)
+{
+  const Entry &reference = in.optional(
+      "Reference", unbound_text("one of the scenes"), "base.prm",
+      "The scene that the others are compared with, under the same values of the axes: outcome, "
+      "path, exit speed, cost");
+  const Entry &ensemble =
+      in.optional("Ensemble", unbound_text("axes separated by commas"), "Axis 2",
+                  "With a reference: axes that only repeat a run, for its scatter; runs that "
+                  "differ in them alone are taken together");
+  return {&reference, &ensemble};
+}
+} // namespace
+
+std::string file_name_of(const std::string &text)
+{
+  std::string name;
+  for (const char c : text)
+  {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '.' || c == '-' || c == '+';
+    if (plain)
+      name += c;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  }
+  if (!name.empty() && name.back() == '_')
+    name.pop_back();
+  return name;
+}
+
+std::string scene_name(const std::string &scene)
+{
+  return file_name_of(std::filesystem::path(scene).stem().string());
+}
+
+Section study_section(const std::string &stem, StudyParameters &study, StudySettings &settings)
+{
+  Section in(study_name, "Several runs: every scene with the axes' values.");
+  in.named_after_file("Title", text(study.title, "any text"), stem, "A study",
+                      "What the study is called in its results, by default like the file");
+  settings.scenes_row = &in.required(
+      "Scenes", unbound_text("parameter files separated by commas, relative to this file"),
+      "base.prm", "The scenes to run");
+  settings.directory_row = &in.named_after_file(
+      "Output directory",
+      text(study.output_directory, "a folder, relative to where the program is started"),
+      "output/" + stem, "output/study",
+      "Where the results go, one folder per case; by default output/ and the file's name");
+  const Entry &columns = in.optional(
+      "Columns", unbound_text("names of columns separated by commas"), "outcome, exit_speed_m_s",
+      "Columns of the table of results: entries of summary.json");
+  in.with_default("Combine", choice(study.one_at_a_time, combinations), "all",
+                  "Whether the axes' values are combined, or each scene is run as it is and then "
+                  "with one value of one axis at a time");
+  const Entry &shared = in.optional(
+      "Settings", unbound_text("Section/Entry: value; Section/Entry: value"),
+      "Output/Pictures: false; Output/ParaView files: false", "Entries that all cases share");
+  const auto comparison = add_comparison(in);
+  in.with_default("Pictures", flag(study.pictures), "true",
+                  "Whether a comparison of the first eight cases is drawn at the end; with a "
+                  "reference also a chart of accuracy against cost");
+  const auto axes = add_axes(in);
+
+  in.check(
+      [&study, &settings, &columns, &shared, comparison, axes]
+      {
+        study.columns = list_of(columns);
+        std::vector<std::string> names;
+        for (const Entry *const axis : axes)
+          if (axis->is_given())
+          {
+            study.axes.push_back(read_axis(*axis));
+            names.push_back(axis->name);
+          }
+        settings.scenes    = list_of(*settings.scenes_row);
+        settings.overrides = read_settings(shared);
+        study.reference    = read_reference(*comparison.reference, *comparison.ensemble,
+                                            study.one_at_a_time, settings.scenes);
+        read_ensemble(*comparison.ensemble, study.axes, names);
+      });
+  return in;
+}
+} // namespace ricochet
