@@ -49,7 +49,7 @@ ShortRangeContact::ShortRangeContact(const MPI_Comm communicator, const Bodies &
                                      const std::string &search, const Friction &friction) :
   communicator_(communicator),
   bodies_(bodies), factor_(factor), mirrored_(mirrored), friction_(friction),
-  pairs_(std::make_unique<ContactPairs>(communicator, bodies, mirrored, search)),
+  pairs_(std::make_unique<ContactPairs>(communicator, bodies_, mirrored, search)),
   work_(most_planes(bodies))
 {
   for (const auto &body : bodies)
