@@ -8,7 +8,8 @@
 namespace ricochet
 {
 /// The largest distance at which any two points touch [m]: 1.35 (r_i + r_j) with radii of half a
-/// spacing, Parks et al. 2008 (doi 10.1016/j.cpc.2008.06.011), after Macek and Silling 2007.
+/// spacing. The two factors are those of the peridynamic package of LAMMPS, its manual's equation
+/// 15 (Parks et al. 2008, doi 10.1016/j.cpc.2008.06.011).
 inline double largest_contact_distance(const double spacing)
 {
   return 1.35 * spacing;

@@ -15,6 +15,7 @@ const BodyOfRevolution core({NoseShape::ogive, 6.17e-3, 27.6e-3, 10.23e-3});
 TEST(HexahedralBody, RefusesFoldedCells)
 {
   HexSolid cube = block({1, 1, 1}, 2.);
+  cube.nodes[7] = Vector3(-1., -1., -1.);
   std::swap(cube.nodes[0], cube.nodes[1]);
   ASSERT_LT(scaled_jacobian(cube, 0), 0.);
   EXPECT_THROW(HexahedralBody(cube, steel(), false), InputError);

@@ -15,8 +15,8 @@
 namespace ricochet
 {
 /// Contacts that a point has at once in compact debris: the neighbours at the distance of one
-/// spacing in the cubic lattice that the debris comes from. The densest packing has twelve; that
-/// points never come as close to each other is an assumption.
+/// spacing in the cubic lattice that the debris comes from. An assumption, no bound: the densest
+/// packing has twelve.
 constexpr double contacts_of_a_point = 6.;
 
 /// `Number`: double, or one that carries derivatives.
