@@ -7,20 +7,6 @@
 
 namespace ricochet
 {
-RigidContact::Reaction &RigidContact::Reaction::operator+=(const Reaction &other)
-{
-  normal += other.normal;
-  friction += other.friction;
-  shank += other.shank;
-  moment += other.moment;
-  friction_moment += other.friction_moment;
-  energy += other.energy;
-  n_touching += other.n_touching;
-  on_elements = on_elements || other.on_elements;
-  deepest     = std::max(deepest, other.deepest);
-  return *this;
-}
-
 RigidContact::RigidContact(const MPI_Comm communicator, const FrictionLaw &law,
                            const Parameters &parameters, const bool mirrored, const int n_planes) :
   communicator_(communicator),

@@ -88,13 +88,6 @@ std::unique_ptr<Vibration> FiniteElementBody::vibration()
   return std::make_unique<FiniteElementVibration>(communicator_, *this);
 }
 
-void FiniteElementBody::rest()
-{
-  position_ = mesh_.reference();
-  std::fill(velocity_.begin(), velocity_.end(), 0.);
-  std::fill(force_.begin(), force_.end(), 0.);
-}
-
 std::string FiniteElementBody::first_not_finite() const
 {
   for (int node = 0; node < mesh_.n_owned_nodes(); ++node)

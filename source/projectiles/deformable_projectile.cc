@@ -107,7 +107,7 @@ void DeformableProjectile::compute_internal_forces(const ForceRequest &request)
 }
 
 ContactRecord DeformableProjectile::add_contact_forces(const std::size_t plate,
-                                                              PeridynamicBody &points)
+                                                       PeridynamicBody &points)
 {
   const auto reaction = contacts_[plate].add_forces(nodes(), surface_, motion_.position, points);
   distribute_surface_forces();
@@ -133,10 +133,10 @@ void DeformableProjectile::advance(const double kick, const double drift)
   follow();
 }
 
-void DeformableProjectile::record_work(const std::size_t plate, const PeridynamicBody &,
-                                       const double dt)
+void DeformableProjectile::record_work(const double dt)
 {
-  contacts_[plate].record_work(dt);
+  for (auto &contact : contacts_)
+    contact.record_work(dt);
 }
 
 double DeformableProjectile::friction_work() const

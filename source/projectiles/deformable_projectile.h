@@ -19,7 +19,7 @@ public:
   SurfaceFrame surface() const override;
 
   ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
-  void record_work(std::size_t plate, const PeridynamicBody &points, double dt) override;
+  void record_work(double dt) override;
   double friction_work() const override;
 
   double multiplicity() const override { return multiplicity_; }

@@ -12,7 +12,6 @@ void ProjectileContact::add_forces(double)
 
 void ProjectileContact::record_work(const double dt)
 {
-  for (std::size_t i = 0; i < plates_.size(); ++i)
-    projectile_.record_work(i, *plates_[i], dt);
+  projectile_.record_work(dt);
 }
 } // namespace ricochet

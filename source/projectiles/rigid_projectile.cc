@@ -16,8 +16,7 @@ RigidProjectile::RigidProjectile(const MPI_Comm communicator, const Scene &scene
     contacts_.emplace_back(communicator, law, plate.parameters, scene.symmetric, plate.n_planes);
 }
 
-ContactRecord RigidProjectile::add_contact_forces(const std::size_t plate,
-                                                         PeridynamicBody &points)
+ContactRecord RigidProjectile::add_contact_forces(const std::size_t plate, PeridynamicBody &points)
 {
   const auto reaction = contacts_[plate].add_forces(rigid_, points);
   load_ += reaction;
@@ -34,9 +33,10 @@ void RigidProjectile::advance(const double kick, const double drift)
             load_.friction_moment.dot(spin + after.spin));
 }
 
-void RigidProjectile::record_work(const std::size_t plate, const PeridynamicBody &, const double dt)
+void RigidProjectile::record_work(const double dt)
 {
-  contacts_[plate].record_work(dt);
+  for (auto &contact : contacts_)
+    contact.record_work(dt);
 }
 
 Energies RigidProjectile::energies(const double dt) const

@@ -17,7 +17,7 @@ public:
   SurfaceFrame surface() const override;
 
   ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
-  void record_work(std::size_t plate, const PeridynamicBody &points, double dt) override;
+  void record_work(double dt) override;
   double friction_work() const override;
 
   double multiplicity() const override { return 1.; } // whole, also with a symmetry plane
@@ -36,7 +36,7 @@ public:
 private:
   RigidBody rigid_;
   std::vector<RigidContact> contacts_; // per plate
-  ContactRecord load_;                      // of all plates
+  ContactRecord load_;                 // of all plates
   double work_ = 0.;                   // of friction on the body [J]
 };
 } // namespace ricochet

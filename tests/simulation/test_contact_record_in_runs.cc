@@ -16,7 +16,7 @@ TEST(ContactRecordInRuns, DepthsAreInMetresAndInSpacingsAsTheirNamesSay)
   double deepest = 0.;
   for (int step = 0; step < 40; ++step)
   {
-    simulation.evaluate(/*energy=*/false);
+    simulation.compute_forces(/*energy=*/false);
     const auto &record = simulation.reaction();
     EXPECT_DOUBLE_EQ(record.deepest_in_spacings, record.deepest / spacing);
     deepest = std::max(deepest, record.deepest);

@@ -112,8 +112,6 @@ public:
   /// With what dashpots have carried off; likewise.
   Momenta momenta() const override;
 
-  /// Everything at rest in the reference configuration, without forces; ghosts are not touched.
-  void rest();
   std::unique_ptr<Vibration> vibration() override;
   std::string first_not_finite() const override;
   /// Lumped mass of all nodes [kg]. Collective.

@@ -12,7 +12,7 @@ namespace ricochet
 class Projectile : public Body
 {
 public:
-  using Motion   = RigidBody::Motion;
+  using Motion = RigidBody::Motion;
 
   const BodyOfRevolution &body() const { return body_; } // undeformed
   double mass() const { return mass_; }                  // [kg]
@@ -26,11 +26,11 @@ public:
   virtual SurfaceFrame surface() const                     = 0;
 
   /// Adds the forces of contact to plate number `plate` and to the body. Collective.
-  virtual ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points)       = 0;
-  /// The work of friction in this step on the plate's points, after their kick [s].
-  virtual void record_work(std::size_t plate, const PeridynamicBody &points, double dt) = 0;
+  virtual ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points) = 0;
+  /// Books the work of friction on all plates' points in a step, `dt` long [s], after their kick.
+  virtual void record_work(double dt)                                                  = 0;
   /// Work of friction on body and points so far, both halves; minus the heat [J]. Collective.
-  virtual double friction_work() const                                                  = 0;
+  virtual double friction_work() const                                                 = 0;
 
   /// Largest squared frequency of the body itself, contact springs included; 0 if rigid [1/s^2].
   virtual double squared_frequency() const = 0;
