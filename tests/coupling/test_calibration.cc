@@ -99,6 +99,27 @@ TEST(Calibration, LeavesCellsAloneWhoseSurroundingsStay)
   EXPECT_GT(n_same, 50);
 }
 
+TEST(Calibration, TakesAboutAsManyStepsHoweverOftenEigenvaluesAreLookedAt)
+{
+  // A column through the plate, whose tensors become negative on the way.
+  auto sample    = block(3.);
+  sample.n_cells = {20, 20, 6};
+  sample.zone    = {{6, 6, 0}, {14, 14, 6}};
+  const PlateModel plate(sample);
+  for (const int round : {3, 7, 21})
+  {
+    CalibrationOptions options;
+    options.round    = round;
+    auto calibration = calibration_of(plate, options);
+    calibration.find();
+    const auto &report = calibration.report();
+    std::printf("rounds of %d: %d iterations, smallest eigenvalue on the way %.1e\n", round,
+                report.n_iterations, report.smallest_eigenvalue);
+    EXPECT_LT(report.smallest_eigenvalue, 0.);
+    EXPECT_NEAR(report.n_iterations, 75, 15);
+  }
+}
+
 TEST(Calibration, SaysIfItsIterationsDidNotSuffice)
 {
   const PlateModel plate(block(3.));
