@@ -15,8 +15,8 @@ namespace
 // rounds of seven steps, see CalibrationOptions.
 constexpr int directions_before_forgetting = 21;
 
-/// A node that this rank's new elements share may carry half of what is allowed: cells that are
-/// kept next to it need room for what the next zone does to them.
+/// Nodes of new elements are mended down to this part of what is allowed, others only to what is:
+/// when the next cells come, those kept here have room for what these do to them.
 constexpr double share_allowed_to_new = 0.5;
 } // namespace
 

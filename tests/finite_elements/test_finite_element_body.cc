@@ -69,14 +69,14 @@ const char *name_of(const Kind kind)
   return kind == Kind::one_point ? "OnePoint" : kind == Kind::full ? "Full" : "OwnTensors";
 }
 
-class FiniteElementBody : public testing::TestWithParam<Kind>
+class ElementBodyOfAnyKind : public testing::TestWithParam<Kind>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(Kinds, FiniteElementBody, testing::ValuesIn(kinds),
+INSTANTIATE_TEST_SUITE_P(Kinds, ElementBodyOfAnyKind, testing::ValuesIn(kinds),
                          [](const auto &info) { return name_of(info.param); });
 
-TEST_P(FiniteElementBody, HasNoForceInTheReferenceConfiguration)
+TEST_P(ElementBodyOfAnyKind, HasNoForceInTheReferenceConfiguration)
 {
   const auto body = make_body(GetParam(), refined_box());
   deform(*body, [](const Vector3 &X) { return X; });
@@ -85,7 +85,7 @@ TEST_P(FiniteElementBody, HasNoForceInTheReferenceConfiguration)
   EXPECT_LT(body->energies(0.).strain, 1e-24 * M * h * h * h * 60.);
 }
 
-TEST_P(FiniteElementBody, HasNoForceWhenTurnedByARightAngleAndMovedAway)
+TEST_P(ElementBodyOfAnyKind, HasNoForceWhenTurnedByARightAngleAndMovedAway)
 {
   const auto body = make_body(GetParam(), refined_box());
   // V2: about an axis that maps no cube onto itself.
@@ -97,7 +97,7 @@ TEST_P(FiniteElementBody, HasNoForceWhenTurnedByARightAngleAndMovedAway)
   EXPECT_LT(body->energies(0.).hourglass, 1e-24 * M * h * h * h * 60.);
 }
 
-TEST_P(FiniteElementBody, UniformStrainOnARefinedMeshGivesExactStressAndNoForceInside)
+TEST_P(ElementBodyOfAnyKind, UniformStrainOnARefinedMeshGivesExactStressAndNoForceInside)
 {
   const auto body = make_body(GetParam(), refined_box());
   const auto m    = pmma();
@@ -131,7 +131,7 @@ TEST_P(FiniteElementBody, UniformStrainOnARefinedMeshGivesExactStressAndNoForceI
   EXPECT_GT(n_inside, 24); // the coarse mesh alone has 4 x 3 x 2
 }
 
-TEST_P(FiniteElementBody, SurfaceNodesCarryTheTractions)
+TEST_P(ElementBodyOfAnyKind, SurfaceNodesCarryTheTractions)
 {
   // One size of cubes: the force of a node is F S N times its share of each face, here taken from
   // the formula of the patch test, f_a = F S n_a with n_a the sum of outward area vectors.
@@ -162,7 +162,7 @@ TEST_P(FiniteElementBody, SurfaceNodesCarryTheTractions)
   }
 }
 
-TEST_P(FiniteElementBody, ForceIsMinusTheGradientOfTheEnergyOnARefinedMesh)
+TEST_P(ElementBodyOfAnyKind, ForceIsMinusTheGradientOfTheEnergyOnARefinedMesh)
 {
   const auto body = make_body(GetParam(), refined_box());
   if (GetParam() == Kind::own_tensors)
@@ -199,7 +199,7 @@ TEST_P(FiniteElementBody, ForceIsMinusTheGradientOfTheEnergyOnARefinedMesh)
     EXPECT_EQ(at(body->force(), node), Vector3(Vector3::Zero()));
 }
 
-TEST_P(FiniteElementBody, HalfABodyWithAMirrorPlaneMovesLikeTheWhole)
+TEST_P(ElementBodyOfAnyKind, HalfABodyWithAMirrorPlaneMovesLikeTheWhole)
 {
   const double h = 1e-3;
   const HexMesh::Region region{Vector3(0., -1e-3, 0.), Vector3(1e-3, 1e-3, 1e-3), 1};

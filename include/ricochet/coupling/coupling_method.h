@@ -32,10 +32,15 @@ constexpr std::array<CouplingMethodName, 4> coupling_methods{
 
 struct CalibrationOptions
 {
-  int n_iterations = 300; // at most
-  int round        = 7;   // iterations between two looks at the eigenvalues
-  // Stop when all nodal forces are below, in units of M h^2; where neighbours of points lack
-  // neighbours five times as much is allowed [-].
+  // At most: blocks and columns take about 80, with a horizon of four spacings 160
+  // (tests/coupling/test_calibration.cc prints them); more says that the zone does not converge.
+  int n_iterations = 300;
+  // Iterations between two looks at the eigenvalues: from 3 to 21 their number changes by a quarter
+  // (the same test).
+  int round        = 7;
+  // Stop when all nodal forces are below, in units of M h^2: a tenth of what an interface may have
+  // (simulation/interface_report.h). In the softened layer under a free face five times as much is
+  // allowed, half of that [-].
   double tolerance = 2e-4;
   bool clip        = true; // false for studies of what happens then
 };

@@ -22,8 +22,8 @@ enum class Quadrature
 using StiffnessTensor   = std::array<double, HexTensors::n_entries>;
 using GaussPointTensors = std::array<StiffnessTensor, 8>;
 
-/// An element's own stiffness tensor at each Gauss point [Pa]. The eigenvalues must not be negative,
-/// or the body is unstable.
+/// An element's own stiffness tensor at each Gauss point [Pa]. The eigenvalues must not be
+/// negative, or the body is unstable.
 struct ElementStiffness
 {
   int element; // number in mesh().elements()
