@@ -2,8 +2,8 @@
 #include "bench.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
-#include "ricochet/output/collective.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <nlohmann/json.hpp>
@@ -65,9 +65,8 @@ void bench_kernel(const MPI_Comm communicator, const KernelBenchOptions &options
 
   const double bonds = body.count_bonds();
   const int steps    = std::max(1, static_cast<int>(2e8 / (2. * bonds)));
-  int n_ranks;
-  MPI_Comm_size(communicator, &n_ranks);
-  const auto rate = [&](PeridynamicBody &timed)
+  const int n_ranks  = size_of(communicator);
+  const auto rate    = [&](PeridynamicBody &timed)
   {
     MPI_Barrier(communicator);
     const auto start = std::chrono::steady_clock::now();

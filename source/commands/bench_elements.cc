@@ -2,9 +2,9 @@
 #include "bench_elements.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
 #include "ricochet/finite_elements/finite_element_body.h"
-#include "ricochet/output/collective.h"
 
 #include <nlohmann/json.hpp>
 
@@ -88,9 +88,8 @@ void bench_elements(const MPI_Comm communicator, const ElementBenchOptions &opti
 
   const double elements = static_cast<double>(body.mesh().n_global_elements());
   const int steps       = std::max(1, static_cast<int>(1e7 / elements));
-  int n_ranks;
-  MPI_Comm_size(communicator, &n_ranks);
-  const auto rate = [&](FiniteElementBody &timed)
+  const int n_ranks     = size_of(communicator);
+  const auto rate       = [&](FiniteElementBody &timed)
   {
     MPI_Barrier(communicator);
     const auto start = std::chrono::steady_clock::now();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bench_elements.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
 #include "ricochet/finite_elements/hexahedral_body.h"
-#include "ricochet/output/collective.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,8 +20,7 @@ void report(const MPI_Comm communicator, const ElementBenchOptions &options,
             const char *instruction_set, const double elements, const long nodes, const int steps,
             std::vector<double> rates)
 {
-  int n_ranks;
-  MPI_Comm_size(communicator, &n_ranks);
+  const int n_ranks = size_of(communicator);
   std::sort(rates.begin(), rates.end());
   if (rank_in(communicator) != 0)
     return;

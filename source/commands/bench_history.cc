@@ -2,8 +2,8 @@
 #include "bench_history.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
-#include "ricochet/output/collective.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <nlohmann/json.hpp>

@@ -2,6 +2,7 @@
 #include "bench_search.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
@@ -122,9 +123,7 @@ double median_seconds(const MPI_Comm communicator, const int repeats, Action &&a
 Row measure(const MPI_Comm communicator, const std::string &method,
             const std::vector<Vector3> &points, const double radius, const int repeats)
 {
-  int rank, n_ranks;
-  MPI_Comm_rank(communicator, &rank);
-  MPI_Comm_size(communicator, &n_ranks);
+  const int rank = rank_in(communicator), n_ranks = size_of(communicator);
   Row row;
   row.method      = method;
   row.n_points    = static_cast<std::int64_t>(points.size());
@@ -232,9 +231,7 @@ double lattice_pairs(const int n, const double spacing, const double radius)
 void bench_search(const MPI_Comm communicator, const SearchBenchOptions &options)
 {
   const Cube cube = checked(options);
-  int rank, n_ranks;
-  MPI_Comm_rank(communicator, &rank);
-  MPI_Comm_size(communicator, &n_ranks);
+  const int rank = rank_in(communicator), n_ranks = size_of(communicator);
   std::vector<std::string> methods;
   for (const auto &search : pair_searches())
     methods.push_back(search.name);
@@ -294,9 +291,7 @@ void bench_search(const MPI_Comm communicator, const SearchBenchOptions &options
     draw_search_plot(communicator, numbers, options.picture, /*quiet=*/options.json);
   }
   // Known to rank 0, which has all rows; thrown on all.
-  int differs = !difference.empty();
-  MPI_Bcast(&differs, 1, MPI_INT, 0, communicator);
-  if (differs)
+  if (broadcast(communicator, !difference.empty(), /*root=*/0))
     throw RunError("bench search: different pairs found by" + difference);
 }
 } // namespace ricochet

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "check.h"
 
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
-#include "ricochet/output/collective.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/simulation/interface_report.h"
 #include "ricochet/simulation/simulation.h"
@@ -132,8 +132,7 @@ bool check(const MPI_Comm communicator, const ParameterFile &file, const CheckOp
                                     [](const InterfaceReport &report) { return report.good(); });
   const double points = simulation.n_points(), bonds = simulation.n_bonds(),
                memory = memory_of_all_ranks(communicator);
-  int n_ranks;
-  MPI_Comm_size(communicator, &n_ranks);
+  const int n_ranks   = size_of(communicator);
   if (rank_in(communicator) != 0)
     return good;
 

@@ -7,7 +7,7 @@
 #include "check.h"
 #include "mesh.h"
 #include "ricochet/base/exceptions.h"
-#include "ricochet/output/collective.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/stability_reader.h"
 #include "run.h"

@@ -3,6 +3,7 @@
 
 #include "interruption.h"
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
@@ -99,7 +100,7 @@ public:
     options_(options), scene_(read_scene(file)), simulation_(communicator, scene_),
     watch_(simulation_), damage_(communicator, simulation_), directory_(scene_.output.directory)
   {
-    MPI_Comm_size(communicator, &n_ranks_);
+    n_ranks_ = size_of(communicator);
     prepare_result_directory(communicator, directory_, options.force);
     on_first_rank(communicator,
                   [&]

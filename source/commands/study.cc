@@ -3,6 +3,7 @@
 
 #include "comparison.h"
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
@@ -46,7 +47,7 @@ Json finished_summary(const MPI_Comm communicator, const StudyCase &c,
                       const std::filesystem::path &directory)
 {
   Json summary;
-  int finished = 0;
+  bool finished = false;
   if (rank_in(communicator) == 0)
   {
     std::ostringstream used;
@@ -57,8 +58,9 @@ Json finished_summary(const MPI_Comm communicator, const StudyCase &c,
                !summary.value("interrupted", true) &&
                read_text(directory / "used.prm") == used.str();
   }
-  MPI_Bcast(&finished, 1, MPI_INT, 0, communicator);
-  return finished ? (summary.is_object() ? summary : Json::object()) : Json();
+  return broadcast(communicator, finished, /*root=*/0)
+             ? (summary.is_object() ? summary : Json::object())
+             : Json();
 }
 
 bool is_experiment(const StudyCase &c)
@@ -89,11 +91,9 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
   const bool speaks                     = rank_in(communicator) == 0;
   if (!options.resume)
   {
-    int exists = 0;
-    if (speaks)
-      exists = std::filesystem::exists(directory) && !std::filesystem::is_empty(directory);
-    MPI_Bcast(&exists, 1, MPI_INT, 0, communicator);
-    if (exists)
+    const bool exists =
+        speaks && std::filesystem::exists(directory) && !std::filesystem::is_empty(directory);
+    if (broadcast(communicator, exists, /*root=*/0))
       throw FileError("The study's results folder '" + directory.string() +
                       "' exists and is not empty. Use --resume to run only what is missing in it, "
                       "or remove it to start anew.");

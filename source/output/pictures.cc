@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/pictures.h"
 
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/output/collective.h"
 
 #include <array>
@@ -152,10 +153,9 @@ bool draw(const char *name, const std::vector<std::filesystem::path> &paths, con
 bool draw_on_first_rank(const MPI_Comm comm, const char *script,
                         const std::vector<std::filesystem::path> &arguments, const bool quiet)
 {
-  int drawn = 0;
+  bool drawn = false;
   on_first_rank(comm, [&] { drawn = draw(script, arguments, quiet); });
-  MPI_Bcast(&drawn, 1, MPI_INT, 0, comm);
-  return drawn != 0;
+  return broadcast(comm, drawn, /*root=*/0);
 }
 } // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/progress.h"
 
-#include "ricochet/output/collective.h"
+#include "ricochet/base/mpi_tools.h"
 
 #include <algorithm>
 #include <cmath>

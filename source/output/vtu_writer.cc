@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/vtu_writer.h"
 
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 
@@ -146,10 +147,8 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
   on_first_rank(comm_,
                 [&]
                 {
-                  int n_ranks = 1;
-                  MPI_Comm_size(comm_, &n_ranks);
                   std::vector<std::string> pieces;
-                  for (int rank = 0; rank < n_ranks; ++rank)
+                  for (int rank = 0; rank < size_of(comm_); ++rank)
                     pieces.push_back(numbered(piece_format.c_str(), number, rank));
                   std::ostringstream record;
                   dealii::DataOutBase::write_pvtu_record(record, pieces, column_names,
