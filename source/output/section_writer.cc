@@ -3,10 +3,10 @@
 
 #include "hdf5_file.h"
 #include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/number_text.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 
-#include <cstdio>
 #include <numeric>
 
 namespace ricochet
@@ -40,9 +40,7 @@ std::vector<float> flattened(const std::vector<Vector3> &vectors)
 
 std::string frame_name(const unsigned int number)
 {
-  char name[32];
-  std::snprintf(name, sizeof name, "frame_%04u", number);
-  return name;
+  return "frame_" + with_zeros(number, 4);
 }
 } // namespace
 
