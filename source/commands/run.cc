@@ -129,7 +129,7 @@ public:
     {
       // What there is stays usable: close the history and say what happened.
       progress.finish();
-      finish({Outcome::undecided, "none", 0, error.what()}, /*failed=*/true);
+      finish({Outcome::undecided, ExitFace::none, 0, error.what()}, /*failed=*/true);
       throw;
     }
     progress.finish();
@@ -382,7 +382,7 @@ private:
     s["directory"]      = directory_.string();
     s["outcome"]        = name_of(verdict.outcome);
     s["reason"]         = verdict.reason;
-    s["exit_face"]      = verdict.exit_face;
+    s["exit_face"]      = name_of(verdict.exit_face);
     s["exit_plate"]     = verdict.exit_plate;
     s["exit_speed_m_s"] = motion.velocity.norm();
     s["exit_angle_deg"] =
