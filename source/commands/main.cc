@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command line. The one place that catches exceptions.
-#include "bench.h"
-#include "bench_elements.h"
-#include "bench_history.h"
-#include "bench_search.h"
+#include "bench/kernel.h"
+#include "bench/elements.h"
+#include "bench/history.h"
+#include "bench/search.h"
 #include "check.h"
 #include "mesh.h"
 #include "ricochet/base/exceptions.h"

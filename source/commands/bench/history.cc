@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bench_history.h"
+#include "bench/history.h"
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
