@@ -170,17 +170,17 @@ int execute(const CLI::App &app, const Arguments &arguments)
   {
     const auto file       = parameter_file(arguments);
     const bool experiment = is_stability_file(file);
-    const auto summary    = (experiment ? run_stability : run)(communicator, file, arguments.run);
+    const auto summary    = (experiment ? run_stability : run_scene)(communicator, file, arguments.run);
     if (!arguments.run.quiet && rank_in(communicator) == 0)
-      std::cout << (experiment ? describe_stability : describe)(summary) << std::endl;
+      std::cout << (experiment ? describe_stability : describe_run)(summary) << std::endl;
     return summary.value("interrupted", false) ? 130 : 0;
   }
   if (app.got_subcommand("check"))
-    return check(communicator, parameter_file(arguments), arguments.check) ? 0 : 1;
+    return check_scene(communicator, parameter_file(arguments), arguments.check) ? 0 : 1;
   if (app.got_subcommand("mesh"))
-    mesh(communicator, parameter_file(arguments), arguments.mesh);
+    mesh_projectile(communicator, parameter_file(arguments), arguments.mesh);
   if (app.got_subcommand("study"))
-    return study(communicator, arguments.file, arguments.study) == 0 ? 0 : 4;
+    return run_study(communicator, arguments.file, arguments.study) == 0 ? 0 : 4;
   if (app.got_subcommand("bench"))
   {
     const CLI::App &bench = *app.get_subcommand("bench");
