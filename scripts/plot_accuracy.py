@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw accuracy.png from the comparison of a ricochet study with its reference: the error of the path against the cost.
+"""Draw accuracy.png from the comparison of a ricochet study with its reference: error of the path against cost.
 
     plot_accuracy.py STUDY_DIRECTORY
 
@@ -9,41 +9,24 @@ one, the error over time stands beside it. Exit status: 0 drawn, 1 nothing to dr
 3 matplotlib not installed.
 """
 
-import csv
 import os
 import sys
 
-try:
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch
-    from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
-except ImportError as error:
-    print(f"plot_accuracy.py: {error}; apt install python3-matplotlib", file=sys.stderr)
-    sys.exit(3)
-
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILION
+from plot_style import asks_for_help, fail, plt, save
+from read_table import read_csv
+
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 # Marks tell the scenes too. The first is the reference's.
-STYLES = [(BLACK, "s"), (BLUE, "o"), (VERMILION, "D"), (GREEN, "^"), (ORANGE, "v"), (PURPLE, "P"), (SKY, "X"), (GREY, "*")]
+STYLES = [(BLACK, "s"), (BLUE, "o"), (VERMILION, "D"), (GREEN, "^"), (ORANGE, "v"), (PURPLE, "P"), (SKY, "X"),
+          (GREY, "*")]
 BAND = "#E4E4E4"
 LEAST = 0.04  # errors below this are no matter of interest [%]
 WANTED = 2.0  # what a zone may add to the path of peridynamics throughout [%]
-SHARES = {1: "1", 1 / 2: "1/2", 1 / 3: "1/3", 1 / 5: "1/5", 1 / 10: "1/10", 1 / 20: "1/20", 1 / 50: "1/50", 1 / 100: "1/100"}
-
-
-def number(row, name):
-    """A column as a number, None if it is empty."""
-    return None if row[name] == "-" else float(row[name])
-
-
-def read(directory, name):
-    """The rows of a CSV of the folder."""
-    with open(os.path.join(directory, name), newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+SHARES = {1: "1"} | {1 / share: f"1/{share}" for share in (2, 3, 5, 10, 20, 50, 100)}
 
 
 def is_reference(row):
@@ -82,7 +65,7 @@ def error_limits(rows, paths):
     values = [WANTED]
     for row in rows + paths:
         for name in ("path_error_percent", "path_error_high_percent", "reference_scatter_percent"):
-            value = number(row, name)
+            value = row.number(name)
             if value is not None and value > LEAST:
                 values.append(value)
     return max(LEAST, 0.6 * min(values)), 1.6 * max(values)
@@ -103,13 +86,13 @@ def set_error_axis(axes, limits):
 
 def cost_limits(rows):
     """Ends of the axis of costs [s]."""
-    values = [number(row, name) for row in rows for name in ("core_seconds_low", "core_seconds_high")]
+    values = [row.number(name) for row in rows for name in ("core_seconds_low", "core_seconds_high")]
     values = [value for value in values if value]
     return 0.75 * min(values), 1.3 * max(values)
 
 
 def draw_cost(axes, rows, styles, limits, costs):
-    """Error against cost of one set of the axes' values: mark the mean position and median cost, bars the single runs."""
+    """Error against cost of one set of the axes' values: marks are mean position and median cost, bars single runs."""
     set_error_axis(axes, limits)
     axes.set_xscale("log")
     axes.set_xlim(costs)
@@ -118,26 +101,27 @@ def draw_cost(axes, rows, styles, limits, costs):
     axes.xaxis.set_minor_locator(NullLocator())
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     # The reference itself may reach a later time than any of the others.
-    compared = [row for row in rows if not is_reference(row) and number(row, "reference_scatter_percent") is not None]
+    compared = [row for row in rows if not is_reference(row) and row.number("reference_scatter_percent") is not None]
     if compared:
-        latest = max(compared, key=lambda row: number(row, "compared_at_us"))
-        axes.axhspan(limits[0], number(latest, "reference_scatter_percent"), color=BAND, linewidth=0, zorder=0)
+        latest = max(compared, key=lambda row: row.number("compared_at_us"))
+        axes.axhspan(limits[0], latest.number("reference_scatter_percent"), color=BAND, linewidth=0, zorder=0)
     for row in rows:
         color, mark = styles[row["scene"]]
-        cost = number(row, "core_seconds")
-        if cost is None or (number(row, "path_error_percent") is None and not is_reference(row)):
+        cost = row.number("core_seconds")
+        if cost is None or (row.number("path_error_percent") is None and not is_reference(row)):
             continue
         # The reference has no error; it stands on the floor.
-        error = limits[0] if is_reference(row) else max(limits[0], number(row, "path_error_percent"))
-        axes.plot([number(row, "core_seconds_low"), number(row, "core_seconds_high")], [error, error], color=color,
+        error = limits[0] if is_reference(row) else max(limits[0], row.number("path_error_percent"))
+        axes.plot([row.number("core_seconds_low"), row.number("core_seconds_high")], [error, error], color=color,
                   linewidth=1, zorder=3, clip_on=False)
         if not is_reference(row):
-            low, high = number(row, "path_error_low_percent"), number(row, "path_error_high_percent")
+            low, high = row.number("path_error_low_percent"), row.number("path_error_high_percent")
             axes.plot([cost, cost], [max(limits[0], low), high], color=color, linewidth=1, zorder=3)
-        axes.plot([cost], [error], mark, color=color, markersize=7, markeredgecolor="white", markeredgewidth=0.8, zorder=4,
-                  clip_on=False)
+        axes.plot([cost], [error], mark, color=color, markersize=7, markeredgecolor="white", markeredgewidth=0.8,
+                  zorder=4, clip_on=False)
         if is_reference(row):
-            shares = axes.secondary_xaxis("top", functions=(lambda x, whole=cost: x / whole, lambda x, whole=cost: x * whole))
+            shares = axes.secondary_xaxis("top", functions=(lambda x, whole=cost: x / whole,
+                                                            lambda x, whole=cost: x * whole))
             shown = [share for share in SHARES if costs[0] <= share * cost <= costs[1]]
             # Names that would stand on one another are left out, except for those of whole, third and fifth.
             if costs[1] / costs[0] > 8:
@@ -157,14 +141,14 @@ def draw_time(axes, rows, paths, styles, limits):
     set_error_axis(axes, limits)
     for row in rows:
         line = [path for path in paths if path["case"] == row["case"]]
-        times = [number(path, "stated_us") for path in line]
+        times = [path.number("stated_us") for path in line]
         if is_reference(row):
-            if all(number(path, "reference_scatter_percent") is not None for path in line):
-                axes.fill_between(times, limits[0], [number(path, "reference_scatter_percent") for path in line], color=BAND,
-                                  linewidth=0, zorder=0)
+            scatter = [path.number("reference_scatter_percent") for path in line]
+            if None not in scatter:
+                axes.fill_between(times, limits[0], scatter, color=BAND, linewidth=0, zorder=0)
             continue
         color, mark = styles[row["scene"]]
-        axes.plot(times, [number(path, "path_error_percent") for path in line], color=color, marker=mark,
+        axes.plot(times, [path.number("path_error_percent") for path in line], color=color, marker=mark,
                   markersize=5, markeredgecolor="white", markeredgewidth=0.6)
     axes.set_xlabel("time [µs]", labelpad=2)
     axes.xaxis.set_major_locator(MaxNLocator(6))
@@ -180,14 +164,14 @@ def legend_of(rows, labels, styles, numbers):
         text = labels[scene]
         if is_reference(row):
             text += " (reference: no error by definition)" if numbers else " (reference)"
-        elif numbers and number(row, "path_error_percent") is not None:
-            text += (f": {percent_text(number(row, 'path_error_percent'))} % at {number(row, 'compared_at_us'):.0f} µs, "
-                     f"{number(row, 'cost_ratio'):.2f} of the cost")
+        elif numbers and row.number("path_error_percent") is not None:
+            text += (f": {percent_text(row.number('path_error_percent'))} % at {row.number('compared_at_us'):.0f} µs, "
+                     f"{row.number('cost_ratio'):.2f} of the cost")
         elif numbers:
             text += ": not compared"
         handles.append(Line2D([], [], color=color, marker=mark, linestyle="", markersize=6.5, markeredgecolor="white"))
         texts.append(text)
-    most = max(int(number(row, "runs") or 0) for row in rows)
+    most = max(int(row.number("runs") or 0) for row in rows)
     if most > 1:
         handles.append(Line2D([], [], color="#555555", linewidth=1))
         texts.append(f"from the best to the worst of {most} single runs")
@@ -198,8 +182,8 @@ def legend_of(rows, labels, styles, numbers):
 
 def draw(directory):
     """accuracy.png, or None if nothing has been compared."""
-    rows, paths = read(directory, "comparison.csv"), read(directory, "comparison_paths.csv")
-    if not any(number(row, "path_error_percent") is not None and not is_reference(row) for row in rows):
+    rows, paths = (read_csv(os.path.join(directory, name)) for name in ("comparison.csv", "comparison_paths.csv"))
+    if not any(row.number("path_error_percent") is not None and not is_reference(row) for row in rows):
         return None
     styles = styles_of(rows)
     labels, shared = labels_of(rows)
@@ -216,7 +200,8 @@ def draw(directory):
     height = top + n_rows * panel + (n_rows - 1) * gap_y + bottom + legend_height + 0.12
     figure = plt.figure(figsize=(width, height))
     title = os.path.basename(os.path.abspath(directory)).replace("_", " ") if len(groups) > 1 or not shared else shared
-    figure.text(0.12 / width, 1 - 0.1 / height, f"{title}: error of the path against cost", size=11, weight="bold", va="top")
+    figure.text(0.12 / width, 1 - 0.1 / height, f"{title}: error of the path against cost", size=11, weight="bold",
+                va="top")
     panel_width = (width - left - 0.15 - (n_columns - 1) * gap_x) / n_columns
 
     def place(index):
@@ -248,24 +233,22 @@ def draw(directory):
     figure.legend(handles, texts, loc="lower left", bbox_to_anchor=((left - 0.1) / width, 0.08 / height),
                   ncol=legend_columns, columnspacing=2.5, borderaxespad=0, handlelength=2, labelspacing=0.35)
     target = os.path.join(directory, "accuracy.png")
-    figure.savefig(target)
+    save(figure, target)
     return target
 
 
 def main(arguments):
     """Draw what there is."""
-    if len(arguments) != 2 or arguments[1] in ("-h", "--help"):
-        print(__doc__.strip())
-        return 0 if len(arguments) == 2 else 2
+    status = asks_for_help(arguments, 1, __doc__)
+    if status is not None:
+        return status
     plt.rcParams.update(STYLE)
     try:
         target = draw(arguments[1])
     except (OSError, ValueError, KeyError) as error:
-        print(f"plot_accuracy.py: {arguments[1]}: {error}", file=sys.stderr)
-        return 1
+        return fail(f"{arguments[1]}: {error}")
     if target is None:
-        print(f"plot_accuracy.py: {arguments[1]}: no run could be compared with the reference", file=sys.stderr)
-        return 1
+        return fail(f"{arguments[1]}: no run could be compared with the reference")
     print("Picture: " + target)
     return 0
 

@@ -9,35 +9,22 @@ lines one process, open marks and broken lines several. Exit status: 0 drawn, 1 
 2 wrong use, 3 matplotlib not installed.
 """
 
-import json
 import sys
 
-try:
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-except ImportError as error:
-    print(f"plot_search.py: {error}; apt install python3-matplotlib", file=sys.stderr)
-    sys.exit(3)
-
-from plot_style import BLACK, BLUE, GREY, ORANGE, STYLE, VERMILION
+from plot_style import BLACK, BLUE, GREY, ORANGE, STYLE, VERMILION, asks_for_help, fail, plt, save
+from read_table import read_json_lines
 
 # Marks tell the methods too.
-METHODS = {"brute force": (BLACK, "s"), "kd-tree": (ORANGE, "^"), "hybrid": (VERMILION, "D"), "linked cells": (BLUE, "o")}
+METHODS = {"brute force": (BLACK, "s"), "kd-tree": (ORANGE, "^"), "hybrid": (VERMILION, "D"),
+           "linked cells": (BLUE, "o")}
 OTHER = (GREY, "v")
-
-
-def read_rows(path):
-    """The JSON objects of a file, those of blank lines left out."""
-    with open(path, encoding="utf-8") as file:
-        return [json.loads(line) for line in file if line.strip()]
 
 
 def draw_panel(axes, rows):
     """Seconds over points for every method and number of processes."""
     several = max(row["processes"] for row in rows)
-    for method in sorted({row["method"] for row in rows}, key=lambda name: list(METHODS).index(name) if name in METHODS else 99):
+    present = {row["method"] for row in rows}
+    for method in [name for name in METHODS if name in present] + sorted(present - set(METHODS)):
         color, marker = METHODS.get(method, OTHER)
         for processes in sorted({row["processes"] for row in rows}):
             line = sorted((row["points"], row["seconds"]) for row in rows
@@ -53,30 +40,32 @@ def draw_panel(axes, rows):
     axes.set_xlabel("points")
 
 
+def draw(rows, picture):
+    """One panel per arrangement."""
+    plt.rcParams.update({**STYLE, "lines.markersize": 4.5})
+    arrangements = sorted({row["arrangement"] for row in rows}, reverse=True)
+    figure, panels = plt.subplots(1, len(arrangements), figsize=(4.2 * len(arrangements) + 0.4, 3.6), sharey=True,
+                                  squeeze=False, layout="constrained")
+    for axes, arrangement in zip(panels[0], arrangements):
+        chosen = [row for row in rows if row["arrangement"] == arrangement]
+        draw_panel(axes, chosen)
+        axes.set_title(f"{arrangement}: all pairs closer than {1e3 * chosen[0]['radius_m']:g} mm "
+                       f"in a cube of {1e3 * chosen[0]['edge_m']:g} mm", loc="left", size=8)
+    panels[0][0].set_ylabel("seconds")
+    panels[0][-1].legend(loc="upper left", bbox_to_anchor=(1.02, 1), handlelength=2.4, labelspacing=0.3)
+    save(figure, picture)
+
+
 def main(arguments):
     """Draw what there is."""
-    if len(arguments) != 3:
-        print(__doc__.strip())
-        return 0 if "-h" in arguments or "--help" in arguments else 2
+    status = asks_for_help(arguments, 2, __doc__)
+    if status is not None:
+        return status
     try:
-        rows = read_rows(arguments[1])
-        arrangements = sorted({row["arrangement"] for row in rows}, reverse=True)
-        if not rows:
-            raise ValueError("no rows")
-        plt.rcParams.update({**STYLE, "lines.markersize": 4.5})
-        figure, panels = plt.subplots(1, len(arrangements), figsize=(4.2 * len(arrangements) + 0.4, 3.6), sharey=True,
-                                      squeeze=False, layout="constrained")
-        for axes, arrangement in zip(panels[0], arrangements):
-            chosen = [row for row in rows if row["arrangement"] == arrangement]
-            draw_panel(axes, chosen)
-            axes.set_title(f"{arrangement}: all pairs closer than {1e3 * chosen[0]['radius_m']:g} mm "
-                           f"in a cube of {1e3 * chosen[0]['edge_m']:g} mm", loc="left", size=8)
-        panels[0][0].set_ylabel("seconds")
-        panels[0][-1].legend(loc="upper left", bbox_to_anchor=(1.02, 1), handlelength=2.4, labelspacing=0.3)
-        figure.savefig(arguments[2])
+        with open(arguments[1], encoding="utf-8") as file:
+            draw(read_json_lines(file, arguments[1]), arguments[2])
     except (OSError, ValueError, KeyError, TypeError) as error:
-        print(f"plot_search.py: {arguments[1]}: {error}", file=sys.stderr)
-        return 1
+        return fail(f"{arguments[1]}: {error}")
     print("Picture: " + arguments[2])
     return 0
 

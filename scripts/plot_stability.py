@@ -9,18 +9,12 @@ of the kinetic energy per step, or else the error of the strain. Exit status: 0 
 file, 2 wrong use, 3 matplotlib not installed.
 """
 
-import csv
 import sys
 
-try:
-    import matplotlib
+from plot_style import asks_for_help, fail, plt, save
+from read_table import read_csv
 
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    from matplotlib.patches import Patch, Rectangle
-except ImportError as error:
-    print(f"plot_stability.py: {error}; apt install python3-matplotlib", file=sys.stderr)
-    sys.exit(3)
+from matplotlib.patches import Patch, Rectangle
 
 # Colours of Okabe and Ito, lightened; their lightness differs too, so the map reads in grey as well.
 COLORS = {"stable": "#BFE3D4", "inaccurate": "#F3CE7A", "unstable": "#C85A1E", "": "#E8E8E8"}
@@ -29,26 +23,19 @@ TEXT = {"stable": "#1A1A1A", "inaccurate": "#1A1A1A", "unstable": "#FFFFFF", "":
 STYLE = {"font.family": "DejaVu Sans", "font.size": 8, "savefig.dpi": 200}
 
 
-def number(row, name):
-    """A column as a number, not a number if it is empty."""
-    try:
-        return float(row[name])
-    except (KeyError, ValueError):
-        return float("nan")
-
-
 def label(row):
     """What stands in a field: two digits of what decided."""
     if row is None:
         return ""
-    if row["verdict"] == "unstable":
-        if row["reason"].startswith("hourglass"):
-            return "hourglass drifts"
-        return f"grows {number(row, 'growth_per_step'):.2g}/step"
-    if row["verdict"] == "inaccurate" and row["reason"] != "strain error":
-        return f"{row['reason']} {number(row, 'energy_drift'):.1g}" if row["reason"] == "energy drift" else row["reason"]
-    if row["verdict"]:
-        percent = 100 * number(row, "strain_error")
+    verdict, reason, nan = row["verdict"], row["reason"], float("nan")
+    if verdict == "unstable" and reason.startswith("hourglass"):
+        return "hourglass drifts"
+    if verdict == "unstable":
+        return f"grows {row.number('growth_per_step', empty=nan):.2g}/step"
+    if verdict == "inaccurate" and reason != "strain error":
+        return f"{reason} {row.number('energy_drift', empty=nan):.1g}" if reason == "energy drift" else reason
+    if verdict in ("stable", "inaccurate"):
+        percent = 100 * row.number("strain_error", empty=nan)
         return f"strain {percent:.0f} %" if percent >= 10 else f"strain {percent:.2g} %"
     return "failed"
 
@@ -56,16 +43,15 @@ def label(row):
 def read(path):
     """Names of the columns and rows in their order, and the fields by both."""
     columns, rows, fields = [], [], {}
-    with open(path, encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            scene, _, change = row["case"].partition("__")
-            change = change.replace("__", ", ").replace("_s_", "'s ").replace("_", " ") or "as it is"
-            scene = scene.replace("_", " ")
-            if scene not in columns:
-                columns.append(scene)
-            if change not in rows:
-                rows.append(change)
-            fields[scene, change] = row
+    for row in read_csv(path):
+        scene, _, change = row["case"].partition("__")
+        change = change.replace("__", ", ").replace("_s_", "'s ").replace("_", " ") or "as it is"
+        scene = scene.replace("_", " ")
+        if scene not in columns:
+            columns.append(scene)
+        if change not in rows:
+            rows.append(change)
+        fields[scene, change] = row
     if not fields:
         raise ValueError("no cases")
     return columns, rows, fields
@@ -93,19 +79,18 @@ def draw(columns, rows, fields, picture):
         spine.set_visible(False)
     axes.legend(handles=[Patch(facecolor=COLORS[v], label=v) for v in ("stable", "inaccurate", "unstable")],
                 loc="upper center", bbox_to_anchor=(0.5, -0.005), ncol=3, frameon=False)
-    figure.savefig(picture)
+    save(figure, picture)
 
 
 def main(arguments):
     """Draw what there is."""
-    if len(arguments) != 3:
-        print(__doc__.strip())
-        return 0 if "-h" in arguments or "--help" in arguments else 2
+    status = asks_for_help(arguments, 2, __doc__)
+    if status is not None:
+        return status
     try:
         draw(*read(arguments[1]), arguments[2])
     except (OSError, ValueError, KeyError) as error:
-        print(f"plot_stability.py: {arguments[1]}: {error}", file=sys.stderr)
-        return 1
+        return fail(f"{arguments[1]}: {error}")
     print("Picture: " + arguments[2])
     return 0
 

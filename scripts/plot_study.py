@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw comparison.png from the runs of a ricochet study: the paths of all cases in one diagram, and of each the section at
-its end with what came out.
+"""Draw comparison.png from the runs of a ricochet study: the paths of all cases in one diagram, and of each the
+section at its end with what came out.
 
     plot_study.py STUDY_DIRECTORY
 
@@ -9,13 +9,15 @@ Reads study.csv of that folder and the results in the folders of its cases; at m
 0 drawn, 1 nothing to draw or a damaged file, 2 wrong use, 3 matplotlib or h5py not installed.
 """
 
-import csv
 import os
 import sys
 
-import plot_run
-from plot_run import plt
+from plot_damage import draw_damage_bar
+from plot_section import draw_frame, sizes_of, window
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILION
+from plot_style import asks_for_help, close_box, fail, plt, save, ticks
+from read_run import read_frames, read_history, read_summary, title_of
+from read_table import read_csv
 
 # Dashes tell the cases too.
 COLORS = [BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK, GREY]
@@ -29,13 +31,10 @@ class Case:
     def __init__(self, directory, name):
         self.name = name
         folder = os.path.join(directory, name)
-        self.summary = plot_run.read_summary(folder)
-        self.history = plot_run.read_history(folder, None)
-        self.title = plot_run.title_of(folder)[0]
-        self.frames, self.first = [], None
-        section = os.path.join(folder, "section.h5")
-        if os.path.exists(section):
-            self.frames, self.first = plot_run.read_frames(section, n_panels=2)
+        self.summary = read_summary(folder)
+        self.history = read_history(folder)
+        self.title = title_of(folder)[0]
+        self.frames, self.first = read_frames(folder, n_panels=2)
 
     def exists(self):
         """Whether there is anything to draw."""
@@ -44,8 +43,7 @@ class Case:
 
 def read_cases(directory):
     """The cases of study.csv in their order, as far as they have run, and how many there are in all."""
-    with open(os.path.join(directory, "study.csv"), newline="", encoding="utf-8") as file:
-        names = [row["case"] for row in csv.DictReader(file)]
+    names = [row["case"] for row in read_csv(os.path.join(directory, "study.csv"))]
     cases = []
     for name in names:
         case = Case(directory, name)
@@ -72,19 +70,21 @@ def numbers_of(case):
         exit_text += f" at {s['exit_angle_deg']:.0f}°".replace("-", "−")
     lines = [f"{s.get('outcome', '')}{exit_text}; depth {s.get('max_depth_mm', float('nan')):.1f} mm, "
              f"path {s.get('path_mm', float('nan')):.0f} mm"]
-    plates = [key.split("_")[1] for key in s if key.startswith("plate_") and key.endswith("_broken_share")]
+    plates = [key[: -len("_broken_share")] for key in s if key.startswith("plate_") and key.endswith("_broken_share")]
     for plate in plates:
-        lines.append((f"plate {plate}: " if len(plates) > 1 else "") +
-                     f"{100 * s[f'plate_{plate}_broken_share']:.1f} % of the bonds, damaged front "
-                     f"{s[f'plate_{plate}_front_damaged_mm2']:.0f}, rear {s[f'plate_{plate}_rear_damaged_mm2']:.0f} mm²")
+        front, rear = (s[f"{plate}_{face}_damaged_mm2"] for face in ("front", "rear"))
+        lines.append((f"plate {plate.split('_')[1]}: " if len(plates) > 1 else "") +
+                     f"{100 * s[plate + '_broken_share']:.1f} % of the bonds, damaged front "
+                     f"{front:.0f}, rear {rear:.0f} mm²")
     return "\n".join(lines)
 
 
 def draw_paths(axes, cases):
     """The ways of the centroids in the plane of the flight."""
     for i, case in enumerate(cases):
-        axes.plot(case.history["x"], case.history["z"], color=COLORS[i], linestyle=DASHES[i], label=label_of(case, cases))
-        axes.plot(case.history["x"][-1:], case.history["z"][-1:], "o", color=COLORS[i], markersize=4)
+        x, z = case.history["x"], case.history["z"]
+        axes.plot(x, z, color=COLORS[i], linestyle=DASHES[i], label=label_of(case, cases))
+        axes.plot(x[-1:], z[-1:], "o", color=COLORS[i], markersize=4)
     axes.axhline(0, color=GREY, linewidth=0.8, linestyle=(0, (4, 3)))
     axes.set_xlabel("x [mm]", labelpad=2)
     axes.set_ylabel("z of the centroid [mm]", labelpad=2)
@@ -96,21 +96,29 @@ def draw_paths(axes, cases):
 def draw_section(axes, case, color, low, high):
     """The last frame of a case with the whole path."""
     frame = case.frames[-1]
-    sizes = {body: plot_run.spacing_of(case.first.points[case.first.body == body]) for body in set(case.first.body)}
-    plates = plot_run.draw_frame(axes, frame, sizes, None)
+    plates = draw_frame(axes, frame, sizes_of(case.first), None)
     axes.plot(case.history["x"], case.history["z"], color=color, linewidth=1.1, zorder=4)
     axes.set_xlim(low[0], high[0])
     axes.set_ylim(low[1], high[1])
-    axes.xaxis.set_major_locator(plot_run.ticks(8))
-    axes.yaxis.set_major_locator(plot_run.ticks(5))
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(True)
+    axes.xaxis.set_major_locator(ticks(8))
+    axes.yaxis.set_major_locator(ticks(5))
+    close_box(axes)
     return plates
+
+
+def write_results(axes, case, cases, n_lines, panel_height):
+    """Name and numbers of a case above its panel, whose height is in inches."""
+    color = COLORS[cases.index(case)]
+    axes.text(0, 1.02, numbers_of(case), transform=axes.transAxes, size=7.5, va="bottom", color="#444444",
+              linespacing=1.25)
+    axes.text(0, 1.02 + 0.155 * (n_lines - 1) / panel_height,
+              f"{label_of(case, cases)}, at {case.frames[-1].time:.0f} µs",
+              transform=axes.transAxes, size=8.5, weight="bold", va="bottom", color=color)
 
 
 def windows(cases):
     """Limits that fit the sections of all cases."""
-    limits = [plot_run.window(case.frames, case.first) for case in cases]
+    limits = [window(case.frames, case.first) for case in cases]
     lows, highs = zip(*limits)
     return (min(low[0] for low in lows), min(low[1] for low in lows)), (max(high[0] for high in highs),
                                                                        max(high[1] for high in highs))
@@ -137,19 +145,16 @@ def draw(directory):
     if n_all > len(cases):
         title += f" (the first {len(cases)} of {n_all} that have run)"
     figure.text(0.12 / width, 1 - 0.12 / height, title, size=11, weight="bold", va="top")
-    draw_paths(figure.add_axes([left / width, (bottom + sections + 0.35) / height, 6.0 / width, paths / height]), cases)
+    draw_paths(figure.add_axes([left / width, (bottom + sections + 0.35) / height, 6.0 / width, paths / height]),
+               cases)
 
     for i, case in enumerate(shown):
         row, column = divmod(i, n_columns)
         x = left + column * (panel + gap_x)
         y = bottom + (n_rows - 1 - row) * (panel * ratio + gap_y)
         axes = figure.add_axes([x / width, y / height, panel / width, panel * ratio / height])
-        color = COLORS[cases.index(case)]
-        plates = draw_section(axes, case, color, low, high)
-        axes.text(0, 1.02, numbers_of(case), transform=axes.transAxes, size=7.5, va="bottom", color="#444444",
-                  linespacing=1.25)
-        axes.text(0, 1.02 + 0.155 * (lines - 1) / (panel * ratio), f"{label_of(case, cases)}, at {case.frames[-1].time:.0f} µs",
-                  transform=axes.transAxes, size=8.5, weight="bold", va="bottom", color=color)
+        plates = draw_section(axes, case, COLORS[cases.index(case)], low, high)
+        write_results(axes, case, cases, lines, panel * ratio)
         lowest = i + n_columns >= len(shown)
         axes.tick_params(labelbottom=lowest, labelleft=column == 0)
         if lowest:
@@ -157,31 +162,24 @@ def draw(directory):
         if column == 0:
             axes.set_ylabel("z [mm]", labelpad=2)
     if shown:
-        bar_height = min(sections - gap_y, 3.2)
-        bar = figure.add_axes([(width - right + 0.18) / width, bottom / height, 0.13 / width, bar_height / height])
-        colorbar = figure.colorbar(plates, cax=bar, ticks=[0, 0.25, 0.5, 0.75, 1])
-        colorbar.set_label("damage", labelpad=3)
-
+        draw_damage_bar(figure, plates, right, bottom, min(sections - gap_y, 3.2))
     target = os.path.join(directory, "comparison.png")
-    plot_run.save(figure, target)
+    save(figure, target)
     return target
 
 
 def main(arguments):
     """Draw what there is."""
-    if len(arguments) != 2 or arguments[1] in ("-h", "--help"):
-        print(__doc__.strip())
-        return 0 if len(arguments) == 2 else 2
-    directory = arguments[1]
+    status = asks_for_help(arguments, 1, __doc__)
+    if status is not None:
+        return status
     plt.rcParams.update(STYLE)
     try:
-        target = draw(directory)
+        target = draw(arguments[1])
     except (OSError, ValueError, KeyError) as error:
-        print(f"plot_study.py: {directory}: {error}", file=sys.stderr)
-        return 1
+        return fail(f"{arguments[1]}: {error}")
     if target is None:
-        print(f"plot_study.py: no case of {directory} has a history", file=sys.stderr)
-        return 1
+        return fail(f"no case of {arguments[1]} has a history")
     print("Picture: " + target)
     return 0
 

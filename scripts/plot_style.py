@@ -1,5 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the pictures of all scripts have in common: colours and the style of the axes."""
+"""What the pictures of all scripts have in common: matplotlib, colours, the style of the axes, titles and saving."""
+
+import os
+import sys
+
+SCRIPT = os.path.basename(sys.argv[0])
+
+try:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    from matplotlib.ticker import MaxNLocator
+except ImportError as error:
+    print(f"{SCRIPT}: {error}; apt install python3-matplotlib python3-h5py", file=sys.stderr)
+    sys.exit(3)
 
 # Colours of Okabe and Ito, distinguishable with every kind of colour vision.
 BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
@@ -22,3 +37,46 @@ STYLE = {
     "legend.frameon": False,
     "savefig.dpi": 200,
 }
+
+
+def write_title(figure, title, outcome):
+    """Title and outcome in the upper left corner, at fixed distances from the edge."""
+    width, height = figure.get_size_inches()
+    longest = int(width * 10.5)
+    if len(title) > longest:
+        title = title[: longest - 1].rstrip() + "…"
+    figure.text(0.12 / width, 1 - 0.12 / height, title, size=11, weight="bold", va="top")
+    figure.text(0.12 / width, 1 - 0.36 / height, outcome, size=9, color="#444444", va="top")
+
+
+def ticks(number):
+    """About that many ticks at round values."""
+    return MaxNLocator(number, steps=[1, 2, 2.5, 5, 10])
+
+
+def close_box(axes):
+    """Draw the axes' upper and right edge too, for what is a picture and not a diagram."""
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(True)
+
+
+def save(figure, path):
+    """Write under a temporary name first: an older picture survives a full disk."""
+    temporary = path + ".tmp"
+    figure.savefig(temporary, format="png")
+    os.replace(temporary, path)
+    plt.close(figure)
+
+
+def fail(message):
+    """One line that says why there is no picture; the exit status that goes with it."""
+    print(f"{SCRIPT}: {message}", file=sys.stderr)
+    return 1
+
+
+def asks_for_help(arguments, n_arguments, text):
+    """The exit status if the command line asks for help or is wrong, having printed the text; None if it is right."""
+    if len(arguments) == n_arguments + 1 and arguments[1] not in ("-h", "--help"):
+        return None
+    print(text.strip())
+    return 0 if "-h" in arguments or "--help" in arguments else 2

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "check.h"
 
+#include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/number_text.h"
 #include "ricochet/base/units.h"
-#include "ricochet/output/collective.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/simulation/interface_report.h"
 #include "ricochet/simulation/simulation.h"
@@ -32,12 +33,7 @@ double memory_of_all_ranks(const MPI_Comm communicator)
 
 std::string in_time_units(const double time)
 {
-  char text[50];
-  if (time >= 1.)
-    std::snprintf(text, sizeof text, "%.4g s", time);
-  else
-    std::snprintf(text, sizeof text, "%.4g us", time / us);
-  return text;
+  return time >= 1. ? with_digits(time, 4) + " s" : with_digits(time / us, 4) + " us";
 }
 
 /// The branches, and what is left of the moduli when all that relax have done so.
@@ -119,61 +115,102 @@ void print_plates(const Simulation &simulation)
     print_relaxation(simulation, i);
   }
 }
-} // namespace
-
-bool check(const MPI_Comm communicator, const ParameterFile &file, const CheckOptions &options)
+void print_projectile(const Scene &scene, const Projectile &projectile)
 {
-  const Scene scene = read_scene(file);
-  Simulation simulation(communicator, scene);
-  std::vector<InterfaceReport> interfaces;
-  if (options.coupling)
-    interfaces = interface_reports(communicator, simulation);
-  const bool good     = std::all_of(interfaces.begin(), interfaces.end(),
-                                    [](const InterfaceReport &report) { return report.good(); });
-  const double points = simulation.n_points(), bonds = simulation.n_bonds(),
-               memory = memory_of_all_ranks(communicator);
-  int n_ranks;
-  MPI_Comm_size(communicator, &n_ranks);
-  if (rank_in(communicator) != 0)
-    return good;
-
-  const auto info      = simulation.time_step_info();
-  const double steps   = std::ceil(scene.time.end_time / simulation.dt());
-  const double seconds = steps * info.seconds_per_step;
-  const auto &body     = simulation.projectile().body();
-  std::printf("scene          %s (%s)\n", scene.title.c_str(), file.path().c_str());
+  const auto &body = projectile.body();
   std::printf("projectile     diameter %.4g mm, length %.4g mm, %.4g g, mean density %.0f kg/m3, "
               "%.4g m/s, %.4g deg, %.4g kJ\n",
               body.shape().diameter / mm, body.shape().length / mm, scene.projectile.mass / g,
               scene.projectile.mass / body.volume(), scene.impact.speed,
               scene.impact.incidence_angle / deg,
               0.5e-3 * scene.projectile.mass * scene.impact.speed * scene.impact.speed);
-  if (const std::string parts = simulation.projectile().parts(); !parts.empty())
+  if (const std::string parts = projectile.parts(); !parts.empty())
     std::printf("  deformable   %s%s, E %.4g GPa, nu %.3f\n", parts.c_str(),
                 scene.symmetric ? " in the half computed" : "",
                 scene.projectile.youngs_modulus / GPa, scene.projectile.poissons_ratio);
-  print_plates(simulation);
-  std::printf("size           %.0f points, %.4g M bonds\n", points, bonds / 1e6);
-  std::printf("memory         %.3g GB on %d rank%s\n", memory / 1e9, n_ranks,
-              n_ranks == 1 ? "" : "s");
+}
+
+/// Sums over all ranks.
+struct Cost
+{
+  double points, bonds, memory; // memory in bytes
+  int n_ranks;
+};
+
+void print_cost(const Simulation &simulation, const Cost &cost)
+{
+  const auto &time     = simulation.scene().time;
+  const auto info      = simulation.time_step_info();
+  const double steps   = std::ceil(time.end_time / simulation.dt());
+  const double seconds = steps * info.seconds_per_step;
+  const char *ranks    = cost.n_ranks == 1 ? "rank" : "ranks";
+  std::printf("size           %.0f points, %.4g M bonds\n", cost.points, cost.bonds / 1e6);
+  std::printf("memory         %.3g GB on %d %s\n", cost.memory / 1e9, cost.n_ranks, ranks);
   std::printf("time step      %.4g us (bonds alone would allow %.4g us, contact takes %.0f %% of "
               "the squared frequency)\n",
-              simulation.dt() / us, scene.time.safety_factor * 2. / info.frequency / us,
+              simulation.dt() / us, time.safety_factor * 2. / info.frequency / us,
               100. * info.contact_share);
   if (info.projectile_dt < info.plates_dt)
     std::printf("  limited by   the projectile; the plates alone would allow %.4g us: a rigid "
                 "projectile takes %.1f times fewer steps\n",
                 info.plates_dt / us, info.plates_dt / info.projectile_dt);
-  std::printf("steps          at most %.0f to %.4g us%s\n", steps, scene.time.end_time / us,
-              scene.time.stop_early ? "; ends when the outcome is decided" : "");
-  std::printf("speed          %.0f M directed bonds/s on %d rank%s (%s)\n",
-              2e-6 * bonds / info.seconds_per_step, n_ranks, n_ranks == 1 ? "" : "s",
+  std::printf("steps          at most %.0f to %.4g us%s\n", steps, time.end_time / us,
+              time.stop_early ? "; ends when the outcome is decided" : "");
+  std::printf("speed          %.0f M directed bonds/s on %d %s (%s)\n",
+              2e-6 * cost.bonds / info.seconds_per_step, cost.n_ranks, ranks,
               simulation.plates()[0]->kernel().instruction_set);
   // Debris contact and output: runs of prm/single_plate take 1.5 to 2.5 times their bond forces.
   std::printf("time           %.0f s for the bonds, about %.0f s with debris contact and output\n",
               seconds, 2. * seconds);
+}
+
+const char *verdict(const bool good)
+{
+  return good ? "ok" : "FAILS";
+}
+
+void print_interface(const InterfaceReport &r)
+{
+  std::printf("interface      plate %zu\n", r.plate + 1);
+  std::printf("  ghost force  %.2e of strain (K + 4 mu/3) h^2, %d strains; limit %.0e   %s\n",
+              r.patch.ghost_force, r.patch.n_strains, InterfaceReport::most_ghost_force,
+              verdict(r.ghost_good()));
+  std::printf("  strain error %.3f %% after relaxation (%d iterations); limit %.1f %%   %s\n",
+              100. * r.patch.strain_error, r.patch.n_iterations,
+              100. * InterfaceReport::most_strain_error, verdict(r.strain_good()));
+  std::printf("  frequency    %.4g rad/us; step limit %.4g us (predicted %.4g us), step of the "
+              "run %.4g us (contact included)   %s\n",
+              1e-6 * r.frequency, r.step_limit / us, r.predicted_limit / us, r.time_step / us,
+              verdict(r.step_good()));
+  std::printf("  share        %.1f %% of the volume is peridynamic and takes %.0f %% of the force "
+              "evaluation\n",
+              100. * r.share_of_volume, 100. * r.share_of_cost());
+}
+} // namespace
+
+bool check_scene(const MPI_Comm communicator, const ParameterFile &file,
+                 const CheckOptions &options)
+{
+  const Scene scene = read_scene(file);
+  Simulation simulation(communicator, scene);
+  std::vector<InterfaceReport> interfaces;
   if (options.coupling)
-    print(interfaces);
+    interfaces = interface_reports(communicator, simulation);
+  const bool good = std::all_of(interfaces.begin(), interfaces.end(),
+                                [](const InterfaceReport &report) { return report.good(); });
+  const Cost cost{simulation.n_points(), simulation.n_bonds(), memory_of_all_ranks(communicator),
+                  size_of(communicator)};
+  if (rank_in(communicator) != 0)
+    return good;
+
+  std::printf("scene          %s (%s)\n", scene.title.c_str(), file.path().c_str());
+  print_projectile(scene, simulation.projectile());
+  print_plates(simulation);
+  print_cost(simulation, cost);
+  if (options.coupling && interfaces.empty())
+    std::printf("interface      none: no plate has both points and elements\n");
+  for (const auto &report : interfaces)
+    print_interface(report);
   return good;
 }
 } // namespace ricochet

@@ -14,6 +14,6 @@ struct CheckOptions
 };
 
 /// Builds the scene, measures its time step and its speed, and prints the cost. Returns whether all
-/// limits are kept. Collective; throws what run() would.
-bool check(MPI_Comm communicator, const ParameterFile &file, const CheckOptions &options);
+/// limits are kept. Collective; throws what run_scene() would.
+bool check_scene(MPI_Comm communicator, const ParameterFile &file, const CheckOptions &options);
 } // namespace ricochet

@@ -17,50 +17,68 @@
 
 namespace ricochet
 {
-void mesh(const MPI_Comm communicator, const ParameterFile &file, const MeshOptions &options)
+namespace
 {
-  using namespace units;
+using namespace units;
+
+/// Smallest and mean scaled Jacobian of all cells.
+std::pair<double, double> quality_of(const HexSolid &solid)
+{
+  double worst = 1., mean = 0.;
+  for (int cell = 0; cell < static_cast<int>(solid.cells.size()); ++cell)
+  {
+    const double quality = scaled_jacobian(solid, cell);
+    worst                = std::min(worst, quality);
+    mean += quality / static_cast<double>(solid.cells.size());
+  }
+  return {worst, mean};
+}
+
+void print_stable_step(const HexSolid &solid, const ProjectileParameters &projectile)
+{
+  // Steel, if the scene says nothing else.
+  const bool is_given  = projectile.youngs_modulus > 0.;
+  const double E       = is_given ? projectile.youngs_modulus : 202. * GPa;
+  const double nu      = is_given ? projectile.poissons_ratio : 0.3;
+  const double density = projectile.mass / volume(solid);
+  HexahedralBody elastic(solid, {density, E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))},
+                         /*mirrored=*/false);
+  const double step = 2. / std::sqrt(largest_frequency(MPI_COMM_SELF, elastic, 60).squared_frequency);
+  std::printf("stable step    %.4f us (E %.4g GPa, nu %.3f, %.0f kg/m3)\n", step / us, E / GPa, nu,
+              density);
+}
+
+void print_mesh(const HexSolid &solid, const BodyOfRevolution &body)
+{
+  const auto [worst, mean] = quality_of(solid);
+  std::printf("mesh           %zu hexahedra, %zu nodes, %zu faces on the surface\n",
+              solid.cells.size(), solid.nodes.size(), surface_of(solid).size());
+  std::printf("scaled Jacobian  smallest %.3f, mean %.3f (limit %.2f)\n", worst, mean,
+              smallest_scaled_jacobian);
+  std::printf("volume         %.2f mm3, %+.2f %% against the shape\n",
+              volume(solid) / (mm * mm * mm), 100. * (volume(solid) / body.volume() - 1.));
+  std::printf("smallest edge  %.3f mm\n", smallest_edge(solid) / mm);
+}
+} // namespace
+
+void mesh_projectile(const MPI_Comm communicator, const ParameterFile &file,
+                     const MeshOptions &options)
+{
   Scene scene     = read_scene(file);
   scene.symmetric = false; // a file holds the whole body
   const BodyOfRevolution body(scene.projectile.shape);
   const HexSolid solid = projectile_mesh(scene);
-  on_first_rank(
-      communicator,
-      [&]
-      {
-        double worst = 1., mean = 0.;
-        for (int cell = 0; cell < static_cast<int>(solid.cells.size()); ++cell)
-        {
-          const double quality = scaled_jacobian(solid, cell);
-          worst                = std::min(worst, quality);
-          mean += quality / static_cast<double>(solid.cells.size());
-        }
-        // Steel, if the scene says nothing else.
-        const double E =
-            scene.projectile.youngs_modulus > 0. ? scene.projectile.youngs_modulus : 202. * GPa;
-        const double nu =
-            scene.projectile.youngs_modulus > 0. ? scene.projectile.poissons_ratio : 0.3;
-        const double density = scene.projectile.mass / volume(solid);
-        HexahedralBody elastic(solid, {density, E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))},
-                               /*mirrored=*/false);
-        const double step =
-            2. / std::sqrt(largest_frequency(MPI_COMM_SELF, elastic, 60).squared_frequency);
-        std::printf("mesh           %zu hexahedra, %zu nodes, %zu faces on the surface\n",
-                    solid.cells.size(), solid.nodes.size(), surface_of(solid).size());
-        std::printf("scaled Jacobian  smallest %.3f, mean %.3f (limit %.2f)\n", worst, mean,
-                    smallest_scaled_jacobian);
-        std::printf("volume         %.2f mm3, %+.2f %% against the shape\n", volume(solid) / 1e-9,
-                    100. * (volume(solid) / body.volume() - 1.));
-        std::printf("smallest edge  %.3f mm\n", smallest_edge(solid) / mm);
-        std::printf("stable step    %.4f us (E %.4g GPa, nu %.3f, %.0f kg/m3)\n", step / us,
-                    E / GPa, nu, density);
-        if (!options.write.empty())
-        {
-          std::ostringstream text;
-          write_mesh(solid, body, mm, text);
-          write_file(options.write, text.str());
-          std::printf("written        %s (gmsh 2.2, mm)\n", options.write.c_str());
-        }
-      });
+  on_first_rank(communicator,
+                [&]
+                {
+                  print_mesh(solid, body);
+                  print_stable_step(solid, scene.projectile);
+                  if (options.write.empty())
+                    return;
+                  std::ostringstream text;
+                  write_mesh(solid, body, mm, text);
+                  write_file(options.write, text.str());
+                  std::printf("written        %s (gmsh 2.2, mm)\n", options.write.c_str());
+                });
 }
 } // namespace ricochet

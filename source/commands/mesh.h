@@ -16,5 +16,5 @@ struct MeshOptions
 
 /// Builds the deformable projectile of a scene, whatever its model, prints what the mesh is worth
 /// and writes it. Computes and prints on rank 0. Throws InputError and FileError.
-void mesh(MPI_Comm communicator, const ParameterFile &file, const MeshOptions &options);
+void mesh_projectile(MPI_Comm communicator, const ParameterFile &file, const MeshOptions &options);
 } // namespace ricochet

@@ -24,9 +24,9 @@ struct RunOptions
  * summary which says so. SIGINT and SIGTERM end the run in order after the present step:
  * "interrupted" is then true in the summary.
  */
-nlohmann::ordered_json run(MPI_Comm communicator, const ParameterFile &file,
-                           const RunOptions &options);
+nlohmann::ordered_json run_scene(MPI_Comm communicator, const ParameterFile &file,
+                                 const RunOptions &options);
 
 /// The verdict of a summary in a few lines for the terminal.
-std::string describe(const nlohmann::ordered_json &summary);
+std::string describe_run(const nlohmann::ordered_json &summary);
 } // namespace ricochet

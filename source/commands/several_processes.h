@@ -5,11 +5,10 @@
 
 namespace ricochet
 {
-constexpr int most_processes = 1024;
+constexpr int most_processes = 1024; // more is a slip of the finger
 
-/// If the command line has `--processes N` with N > 1 and this process is not yet one of several,
-/// mpirun takes its place, with N processes of the same command line. Returns 0 if there is nothing
-/// to do, and an exit status, having said why, if mpirun could not be started. Call before MPI is
-/// initialised.
-int start_processes(int argc, char **argv);
+/// If `n` > 1 and this process is not yet one of several, mpirun takes its place, with so many
+/// processes of the same command line. Returns 0 if there is nothing to do, and an exit status,
+/// having said why, if mpirun could not be started. Call before MPI is initialised.
+int start_processes(int n, int argc, char **argv);
 } // namespace ricochet

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "stability_run.h"
 
+#include "result_folder.h"
+#include "ricochet/base/number_text.h"
 #include "ricochet/base/units.h"
-#include "ricochet/output/checked_file.h"
-#include "ricochet/output/collective.h"
-#include "ricochet/output/result_directory.h"
 #include "ricochet/output/summary.h"
-#include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/stability_reader.h"
 #include "ricochet/simulation/stability_experiment.h"
 
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <cstdio>
-#include <sstream>
 
 namespace ricochet
 {
@@ -39,14 +35,7 @@ nlohmann::ordered_json run_stability(const MPI_Comm communicator, const Paramete
   const auto start                      = std::chrono::steady_clock::now();
   const StabilityParameters parameters  = read_stability(file);
   const std::filesystem::path directory = parameters.directory;
-  prepare_result_directory(communicator, directory, options.force);
-  on_first_rank(communicator,
-                [&]
-                {
-                  std::ostringstream used;
-                  write_used_parameters(file, used);
-                  write_file(directory / "used.prm", used.str());
-                });
+  prepare_result_folder(communicator, directory, file, options.force);
 
   const auto result = run_stability_experiment(communicator, parameters);
   nlohmann::ordered_json summary{
@@ -79,17 +68,16 @@ nlohmann::ordered_json run_stability(const MPI_Comm communicator, const Paramete
 
 std::string describe_stability(const nlohmann::ordered_json &summary)
 {
-  const auto reason = summary["reason"].get<std::string>();
-  char text[512];
-  std::snprintf(text, sizeof text,
-                "%s%s%s. Kinetic energy grows by %.3g per step (%.3g per us); discrete energy "
-                "drifts by %.2g; strain error %.2g %%, ghost force %.2g M eps h^2; the step is "
-                "%.3f of the largest stable one.",
-                summary["verdict"].get<std::string>().c_str(), reason.empty() ? "" : ": ",
-                reason.c_str(), summary["growth_per_step"].get<double>(),
-                summary["growth_per_us"].get<double>(), summary["energy_drift"].get<double>(),
-                100. * summary["strain_error"].get<double>(), summary["ghost_force"].get<double>(),
-                summary["step_over_measured_limit"].get<double>());
-  return text;
+  const auto text   = [&](const char *key) { return summary[key].get<std::string>(); };
+  const auto number = [&](const char *key, const int n_digits, const double factor = 1.)
+  { return with_digits(factor * summary[key].get<double>(), n_digits); };
+  const auto reason = text("reason");
+  return text("verdict") + (reason.empty() ? "" : ": ") + reason + ". Kinetic energy grows by " +
+         number("growth_per_step", 3) + " per step (" + number("growth_per_us", 3) +
+         " per us); discrete energy drifts by " + number("energy_drift", 2) + "; strain error " +
+         number("strain_error", 2, 100.) + " %, ghost force " + number("ghost_force", 2) +
+         " M eps h^2; the step is " +
+         with_decimals(summary["step_over_measured_limit"].get<double>(), 3) +
+         " of the largest stable one.";
 }
 } // namespace ricochet

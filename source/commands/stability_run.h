@@ -12,7 +12,7 @@ namespace ricochet
 extern const std::vector<std::string> stability_columns;
 
 /// Runs the experiment of a file with a section Stability into its results folder and returns its
-/// summary. Collective; throws InputError and FileError like run().
+/// summary. Collective; throws InputError and FileError like run_scene().
 nlohmann::ordered_json run_stability(MPI_Comm communicator, const ParameterFile &file,
                                      const RunOptions &options);
 

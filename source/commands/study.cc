@@ -3,6 +3,7 @@
 
 #include "comparison.h"
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
@@ -19,6 +20,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 namespace ricochet
@@ -39,25 +41,26 @@ std::string read_text(const std::filesystem::path &path)
   return text.str();
 }
 
-/// The summary of an earlier, complete run with the same parameters, or null. The same on all
-/// ranks.
-Json finished_summary(const MPI_Comm communicator, const StudyCase &c,
+/// The summary of an earlier, complete run with the same parameters in the folder, or null. The
+/// same on all ranks.
+Json finished_summary(const MPI_Comm communicator, const ParameterFile &file,
                       const std::filesystem::path &directory)
 {
   Json summary;
-  int finished = 0;
+  bool finished = false;
   if (rank_in(communicator) == 0)
   {
     std::ostringstream used;
-    write_used_parameters(c.file, used);
+    write_used_parameters(file, used);
     summary =
         Json::parse(read_text(directory / "summary.json"), nullptr, /*allow_exceptions=*/false);
     finished = summary.is_object() && !summary.value("failed", true) &&
                !summary.value("interrupted", true) &&
                read_text(directory / "used.prm") == used.str();
   }
-  MPI_Bcast(&finished, 1, MPI_INT, 0, communicator);
-  return finished ? (summary.is_object() ? summary : Json::object()) : Json();
+  return broadcast(communicator, finished, /*root=*/0)
+             ? (summary.is_object() ? summary : Json::object())
+             : Json();
 }
 
 void write_comparison(const StudyParameters &study, const std::vector<Json> &summaries,
@@ -74,87 +77,128 @@ void write_comparison(const StudyParameters &study, const std::vector<Json> &sum
               (directory / "comparison.csv").c_str());
   std::fflush(stdout);
 }
-} // namespace
 
-int study(const MPI_Comm communicator, const std::string &path, const StudyOptions &options)
+/// All cases of a study, one after the other, and the table of what has come out.
+class Study
 {
-  const StudyParameters parameters      = read_study(path);
-  const std::filesystem::path directory = parameters.output_directory;
-  const bool speaks                     = rank_in(communicator) == 0;
-  if (!options.resume)
+public:
+  Study(const MPI_Comm communicator, const StudyParameters &parameters,
+        const StudyOptions &options) :
+    communicator_(communicator),
+    parameters_(parameters), options_(options), directory_(parameters.output_directory),
+    speaks_(rank_in(communicator) == 0), summaries_(parameters.cases.size())
   {
-    int exists = 0;
-    if (speaks)
-      exists = std::filesystem::exists(directory) && !std::filesystem::is_empty(directory);
-    MPI_Bcast(&exists, 1, MPI_INT, 0, communicator);
-    if (exists)
-      throw FileError("The study's results folder '" + directory.string() +
+    // Experiments and scenes do not share columns.
+    is_map_ = std::all_of(parameters.cases.begin(), parameters.cases.end(),
+                          [](const StudyCase &one) { return one.is_experiment; });
+    chosen_ = !parameters.columns.empty() ? parameters.columns
+              : is_map_                   ? stability_columns
+                                          : default_columns;
+    std::vector<std::string> columns{"case"};
+    columns.insert(columns.end(), chosen_.begin(), chosen_.end());
+    columns.push_back("status");
+    table_ = std::make_unique<Table>(columns);
+  }
+
+  /// Throws FileError unless the folder is new, empty or may hold results.
+  void prepare_folder()
+  {
+    const bool holds_results = speaks_ && !options_.resume && std::filesystem::exists(directory_) &&
+                               !std::filesystem::is_empty(directory_);
+    if (broadcast(communicator_, holds_results, /*root=*/0))
+      throw FileError("The study's results folder '" + directory_.string() +
                       "' exists and is not empty. Use --resume to run only what is missing in it, "
                       "or remove it to start anew.");
+    on_first_rank(communicator_, [&] { make_directory(directory_); });
   }
-  on_first_rank(communicator, [&] { make_directory(directory); });
 
-  // A map of stability if every case is an experiment; experiments and scenes do not share columns.
-  const auto &cases = parameters.cases;
-  const bool is_map =
-      std::all_of(cases.begin(), cases.end(), [](const StudyCase &c) { return c.is_experiment; });
-  const auto &usual_columns = is_map ? stability_columns : default_columns;
-  const auto &chosen        = parameters.columns.empty() ? usual_columns : parameters.columns;
-  std::vector<std::string> columns{"case"};
-  columns.insert(columns.end(), chosen.begin(), chosen.end());
-  columns.push_back("status");
-  Table table(columns);
-  std::vector<Json> summaries(cases.size());
-  int n_failed = 0;
-  for (std::size_t i = 0; i < cases.size(); ++i)
+  /// Returns the number of cases that failed.
+  int run_cases()
   {
-    const auto &c      = cases[i];
-    Json summary       = finished_summary(communicator, c, directory / c.name);
-    std::string status = "finished before";
-    if (speaks)
-      std::printf("[%zu/%zu] %s%s\n", i + 1, cases.size(), c.name.c_str(),
-                  summary.is_null() ? "" : ": finished before");
-    std::fflush(stdout);
-    if (summary.is_null())
-      try
-      {
-        RunOptions run_options;
-        run_options.force = true; // an unfinished run of an earlier try may lie there
-        run_options.quiet = options.quiet;
-        summary = (c.is_experiment ? run_stability : run)(communicator, c.file, run_options);
-        status  = summary.value("interrupted", false) ? "interrupted" : "ok";
-      }
-      catch (const Error &error)
-      {
-        status = std::string("failed: ") + error.what();
-        ++n_failed;
-      }
-    std::vector<Json> row{c.name};
-    for (const auto &column : chosen)
-      row.push_back(summary.is_object() ? summary.value(column, Json()) : Json());
-    row.push_back(status);
-    table.add(row);
-    summaries[i] = summary;
-    on_first_rank(communicator, [&] { write_file(directory / "study.csv", table.csv()); });
-    if (status == "interrupted")
-      break;
+    int n_failed       = 0;
+    std::string status = "";
+    for (std::size_t i = 0; i < parameters_.cases.size() && status != "interrupted"; ++i)
+    {
+      status = run_case(i);
+      n_failed += status.rfind("failed", 0) == 0;
+      std::vector<Json> row{parameters_.cases[i].name};
+      for (const auto &column : chosen_)
+        row.push_back(summaries_[i].is_object() ? summaries_[i].value(column, Json()) : Json());
+      row.push_back(status);
+      table_->add(row);
+      on_first_rank(communicator_, [&] { write_file(directory_ / "study.csv", table_->csv()); });
+    }
+    return n_failed;
   }
-  if (speaks)
+
+  void report()
   {
-    std::printf("\n%s\n\n", parameters.title.c_str());
-    std::printf("%s\nThe table stands in %s.\n", table.text().c_str(),
-                (directory / "study.csv").c_str());
+    if (speaks_)
+      std::printf("\n%s\n\n%s\nThe table stands in %s.\n", parameters_.title.c_str(),
+                  table_->text().c_str(), (directory_ / "study.csv").c_str());
     std::fflush(stdout);
+    const bool is_compared = !parameters_.reference.empty();
+    if (is_compared)
+      on_first_rank(communicator_, [&] { write_comparison(parameters_, summaries_, directory_); });
+    if (!parameters_.pictures)
+      return;
+    if (is_map_)
+      draw_stability_map(communicator_, directory_ / "study.csv", directory_ / "map.png",
+                         /*quiet=*/false);
+    else
+      draw_study_picture(communicator_, directory_, /*quiet=*/false);
+    if (is_compared)
+      draw_accuracy_chart(communicator_, directory_, /*quiet=*/false);
   }
-  if (!parameters.reference.empty())
-    on_first_rank(communicator, [&] { write_comparison(parameters, summaries, directory); });
-  if (parameters.pictures && is_map)
-    draw_stability_map(communicator, directory / "study.csv", directory / "map.png",
-                       /*quiet=*/false);
-  else if (parameters.pictures)
-    draw_study_picture(communicator, directory, /*quiet=*/false);
-  if (parameters.pictures && !parameters.reference.empty())
-    draw_accuracy_chart(communicator, directory, /*quiet=*/false);
+
+private:
+  /// Fills in its summary and returns its status for the table.
+  std::string run_case(const std::size_t i)
+  {
+    const ParameterFile &file = parameters_.cases[i].file;
+    const std::string &name   = parameters_.cases[i].name;
+    Json &summary             = summaries_[i];
+    summary                   = finished_summary(communicator_, file, directory_ / name);
+    const bool is_finished    = !summary.is_null();
+    if (speaks_)
+      std::printf("[%zu/%zu] %s%s\n", i + 1, parameters_.cases.size(), name.c_str(),
+                  is_finished ? ": finished before" : "");
+    std::fflush(stdout);
+    if (is_finished)
+      return "finished before";
+    try
+    {
+      RunOptions run_options;
+      run_options.force = true; // an unfinished run of an earlier try may lie there
+      run_options.quiet = options_.quiet;
+      summary =
+          (parameters_.cases[i].is_experiment ? run_stability : run_scene)(communicator_, file, run_options);
+      return summary.value("interrupted", false) ? "interrupted" : "ok";
+    }
+    catch (const Error &error)
+    {
+      return std::string("failed: ") + error.what();
+    }
+  }
+
+  MPI_Comm communicator_;
+  const StudyParameters &parameters_;
+  StudyOptions options_;
+  std::filesystem::path directory_;
+  bool speaks_, is_map_ = false;
+  std::vector<std::string> chosen_;  // fields of the summaries that the table shows
+  std::unique_ptr<Table> table_;
+  std::vector<Json> summaries_; // of all cases; null if there is none
+};
+} // namespace
+
+int run_study(const MPI_Comm communicator, const std::string &path, const StudyOptions &options)
+{
+  const StudyParameters parameters = read_study(path);
+  Study study(communicator, parameters, options);
+  study.prepare_folder();
+  const int n_failed = study.run_cases();
+  study.report();
   return n_failed;
 }
 } // namespace ricochet

@@ -22,5 +22,5 @@ struct StudyOptions
  * Collective. Returns the number of failed cases. Throws InputError or FileError for the study
  * itself.
  */
-int study(MPI_Comm communicator, const std::string &path, const StudyOptions &options);
+int run_study(MPI_Comm communicator, const std::string &path, const StudyOptions &options);
 } // namespace ricochet

@@ -2,18 +2,12 @@
 #include "ricochet/output/collective.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 
 #include <string>
 
 namespace ricochet
 {
-int rank_in(const MPI_Comm comm)
-{
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return rank;
-}
-
 void on_every_rank(const MPI_Comm comm, const std::function<void()> &action)
 {
   bool failed = false;
@@ -28,19 +22,14 @@ void on_every_rank(const MPI_Comm comm, const std::function<void()> &action)
     message = error.what();
   }
 
-  int n_ranks = 1;
-  MPI_Comm_size(comm, &n_ranks);
+  const int n_ranks   = size_of(comm);
   const int candidate = failed ? rank_in(comm) : n_ranks;
   int speaker         = n_ranks;
   MPI_Allreduce(&candidate, &speaker, 1, MPI_INT, MPI_MIN, comm);
   if (speaker == n_ranks)
     return;
 
-  int length = static_cast<int>(message.size());
-  MPI_Bcast(&length, 1, MPI_INT, speaker, comm);
-  message.resize(length);
-  MPI_Bcast(message.data(), length, MPI_CHAR, speaker, comm);
-  throw FileError(message);
+  throw FileError(broadcast(comm, message, speaker));
 }
 
 void on_first_rank(const MPI_Comm comm, const std::function<void()> &action)

@@ -19,6 +19,26 @@ void check(const herr_t result, const std::string &what)
                     ". Check the free memory; otherwise the HDF5 library is faulty.");
 }
 
+/// While it lives HDF5 does not print its own report of a failure: failures become exceptions here,
+/// and the report would only repeat them. Whoever else uses HDF5 in this process finds it as
+/// before.
+class SilencedReport
+{
+public:
+  SilencedReport()
+  {
+    H5Eget_auto2(H5E_DEFAULT, &report_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~SilencedReport() { H5Eset_auto2(H5E_DEFAULT, report_, data_); }
+  SilencedReport(const SilencedReport &)            = delete;
+  SilencedReport &operator=(const SilencedReport &) = delete;
+
+private:
+  H5E_auto2_t report_ = nullptr;
+  void *data_         = nullptr;
+};
+
 /// An HDF5 identifier and the function that gives it back.
 class Handle
 {
@@ -56,8 +76,7 @@ hid_t type_of(const int *)
 
 hid_t create_in_memory()
 {
-  // Failures become exceptions here; HDF5's own report on the terminal would only repeat them.
-  // H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const SilencedReport silenced;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create an access list");
   check(H5Pset_fapl_core(access, /*increment=*/1 << 16, /*backing_store=*/false),
         "select its memory driver");
@@ -81,6 +100,7 @@ template <typename Number>
 void add_dataset(const hid_t file, const std::string &name, const std::vector<Number> &values,
                  const std::size_t n_columns, const std::string &unit)
 {
+  const SilencedReport silenced;
   assert(n_columns > 0 && values.size() % n_columns == 0);
   const hsize_t n_rows  = values.size() / n_columns;
   const hsize_t size[2] = {n_rows, n_columns};
@@ -118,6 +138,7 @@ Hdf5File::~Hdf5File() = default;
 
 void Hdf5File::set_attribute(const std::string &name, const double value)
 {
+  const SilencedReport silenced;
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create a scalar");
   const Handle attribute(
       H5Acreate2(handles_->file, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT),
@@ -145,6 +166,7 @@ void Hdf5File::add(const std::string &name, const std::vector<int> &values,
 
 void Hdf5File::link(const std::string &name, const std::string &file)
 {
+  const SilencedReport silenced;
   check(
       H5Lcreate_external(file.c_str(), "/", handles_->file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
       "create the link " + name);
@@ -152,6 +174,7 @@ void Hdf5File::link(const std::string &name, const std::string &file)
 
 void Hdf5File::save(const std::filesystem::path &path)
 {
+  const SilencedReport silenced;
   check(H5Fflush(handles_->file, H5F_SCOPE_GLOBAL), "complete " + path.string());
   const ssize_t size = H5Fget_file_image(handles_->file, nullptr, 0);
   check(size < 0 ? -1 : 0, "measure " + path.string());

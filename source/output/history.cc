@@ -2,11 +2,11 @@
 #include "ricochet/output/history.h"
 
 #include "hdf5_file.h"
+#include "ricochet/base/number_text.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 
 #include <cassert>
-#include <cstdio>
 #include <utility>
 
 namespace ricochet
@@ -38,9 +38,7 @@ void History::append(const std::vector<double> &row)
                   std::string line;
                   for (std::size_t i = 0; i < row.size(); ++i)
                   {
-                    char number[32];
-                    std::snprintf(number, sizeof number, "%s%.10g", i == 0 ? "" : ",", row[i]);
-                    line += number;
+                    line += (i == 0 ? "" : ",") + with_digits(row[i], 10);
                   }
                   file_->append(line + "\n");
                   for (std::size_t i = 0; i < row.size(); ++i)

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/progress.h"
 
-#include "ricochet/output/collective.h"
+#include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -43,9 +45,7 @@ std::string short_count(double value)
   std::size_t i        = 0;
   for (; value >= 9999.5 && i + 1 < sizeof letters; ++i)
     value /= 1000.;
-  char text[32];
-  std::snprintf(text, sizeof text, i == 0 ? "%.0f" : "%.0f %c", value, letters[i]);
-  return text;
+  return with_decimals(value, 0) + (i == 0 ? "" : std::string(" ") + letters[i]);
 }
 
 std::string duration(const double seconds)
@@ -53,14 +53,11 @@ std::string duration(const double seconds)
   if (!std::isfinite(seconds))
     return "?";
   const long s = std::lround(seconds);
-  char text[32];
   if (s < 60)
-    std::snprintf(text, sizeof text, "%ld s", s);
-  else if (s < 3600)
-    std::snprintf(text, sizeof text, "%ld min %02ld s", s / 60, s % 60);
-  else
-    std::snprintf(text, sizeof text, "%ld h %02ld min", s / 3600, s / 60 % 60);
-  return text;
+    return std::to_string(s) + " s";
+  if (s < 3600)
+    return std::to_string(s / 60) + " min " + with_zeros(s % 60, 2) + " s";
+  return std::to_string(s / 3600) + " h " + with_zeros(s / 60 % 60, 2) + " min";
 }
 } // namespace
 
@@ -127,16 +124,15 @@ std::string Progress::line(const ProgressState &state) const
   const double done    = std::clamp(state.time / end_time_, 0., 1.);
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
 
-  char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "%3.0f %%  %7.1f us  %6.1f m/s  pitch %+6.1f deg  broken %7s  residual %+.2f %%  %6s bonds/s",
-      100. * done, state.time * 1e6, state.speed, state.pitch,
-      short_count(state.broken_bonds).c_str(), 100. * state.energy_residual,
-      short_count(state.bonds_per_second).c_str());
-  std::string result = text;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << std::setw(3) << 100. * done << " %  "
+       << std::setprecision(1) << std::setw(7) << state.time * 1e6 << " us  " << std::setw(6)
+       << state.speed << " m/s  pitch " << std::showpos << std::setw(6) << state.pitch
+       << " deg  broken " << std::setw(7) << short_count(state.broken_bonds) << "  residual "
+       << std::setprecision(2) << 100. * state.energy_residual << " %  " << std::setw(6)
+       << short_count(state.bonds_per_second) << " bonds/s";
   if (done > 0. && done < 1. - 1e-9)
-    result += "  " + duration(elapsed * (1. - done) / done) + " left";
-  return result;
+    text << "  " << duration(elapsed * (1. - done) / done) << " left";
+  return text.str();
 }
 } // namespace ricochet

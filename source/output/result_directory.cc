@@ -25,7 +25,7 @@ bool is_result(const fs::path &folder, const std::string &name)
       "((history|section|damage)\\.(h5|png)|history\\.csv|summary\\.json|results\\.pvd|used\\.prm)"
       "(\\.tmp)?");
   static const std::regex vtu(
-      "(points_[0-9]{4,}\\.(pvtu|[0-9]{3,}\\.vtu)|projectile_[0-9]{4,}\\.vtu)(\\.tmp)?");
+      "((points|elements)_[0-9]{4,}\\.(pvtu|[0-9]{3,}\\.vtu)|projectile_[0-9]{4,}\\.vtu)(\\.tmp)?");
   static const std::regex section("frame_[0-9]{4,}\\.h5(\\.tmp)?");
   return std::regex_match(name, folder.empty() ? top : folder == "vtu" ? vtu : section);
 }

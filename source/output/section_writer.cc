@@ -2,10 +2,11 @@
 #include "ricochet/output/section_writer.h"
 
 #include "hdf5_file.h"
+#include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/number_text.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 
-#include <cstdio>
 #include <numeric>
 
 namespace ricochet
@@ -15,9 +16,8 @@ namespace
 /// The values of all ranks, one rank after the other, on rank 0; empty elsewhere. Collective.
 std::vector<float> gather(const MPI_Comm comm, const std::vector<float> &values)
 {
-  int n_ranks = 1;
-  MPI_Comm_size(comm, &n_ranks);
-  const int n = static_cast<int>(values.size());
+  const int n_ranks = size_of(comm);
+  const int n       = static_cast<int>(values.size());
   std::vector<int> counts(n_ranks), starts(n_ranks, 0);
   MPI_Gather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
   std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
@@ -40,9 +40,7 @@ std::vector<float> flattened(const std::vector<Vector3> &vectors)
 
 std::string frame_name(const unsigned int number)
 {
-  char name[32];
-  std::snprintf(name, sizeof name, "frame_%04u", number);
-  return name;
+  return "frame_" + with_zeros(number, 4);
 }
 } // namespace
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/table.h"
 
+#include "ricochet/base/number_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace ricochet
 {
@@ -20,9 +21,7 @@ std::string cell_text(const Json &value, const bool all_digits)
     return value.dump();
   if (!value.is_number())
     return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value.get<double>());
-  return text;
+  return with_digits(value.get<double>(), 4);
 }
 } // namespace
 

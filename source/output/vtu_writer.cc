@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/vtu_writer.h"
 
+#include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/number_text.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 
 #include <deal.II/base/data_out_base.h>
 
-#include <cstdio>
 #include <sstream>
 #include <tuple>
 
@@ -112,11 +113,16 @@ std::vector<dealii::DataOutBase::Patch<3, 3>> patches_of(const ElementFrame &ele
   return patches;
 }
 
-std::string numbered(const char *format, const unsigned int number, const unsigned int rank = 0)
+/// "points_0012"
+std::string frame_name(const std::string &part, const unsigned int number)
 {
-  char name[64];
-  std::snprintf(name, sizeof name, format, number, rank);
-  return name;
+  return part + "_" + with_zeros(number, 4);
+}
+
+/// "points_0012.003.vtu"
+std::string piece_name(const std::string &part, const unsigned int number, const int rank)
+{
+  return frame_name(part, number) + "." + with_zeros(rank, 3) + ".vtu";
 }
 } // namespace
 
@@ -131,26 +137,22 @@ template <class Frame>
 std::string VtuWriter::write_pieces(const std::string &name, const unsigned int number,
                                     const double time, const Frame &frame) const
 {
-  const std::string piece_format = name + "_%04u.%03u.vtu";
   on_every_rank(comm_,
                 [&]
                 {
                   std::ostringstream piece;
                   dealii::DataOutBase::write_vtu(patches_of(frame), column_names, vector_fields,
                                                  vtk_flags(time), piece);
-                  write_file(directory_ / "vtu" /
-                                 numbered(piece_format.c_str(), number, rank_in(comm_)),
+                  write_file(directory_ / "vtu" / piece_name(name, number, rank_in(comm_)),
                              piece.str());
                 });
-  const std::string record_name = numbered(("vtu/" + name + "_%04u.pvtu").c_str(), number);
+  const std::string record_name = "vtu/" + frame_name(name, number) + ".pvtu";
   on_first_rank(comm_,
                 [&]
                 {
-                  int n_ranks = 1;
-                  MPI_Comm_size(comm_, &n_ranks);
                   std::vector<std::string> pieces;
-                  for (int rank = 0; rank < n_ranks; ++rank)
-                    pieces.push_back(numbered(piece_format.c_str(), number, rank));
+                  for (int rank = 0; rank < size_of(comm_); ++rank)
+                    pieces.push_back(piece_name(name, number, rank));
                   std::ostringstream record;
                   dealii::DataOutBase::write_pvtu_record(record, pieces, column_names,
                                                          vector_fields, vtk_flags(time));
@@ -163,7 +165,7 @@ void VtuWriter::write(const unsigned int number, const double time, const PointF
                       const SurfaceFrame &surface, const ElementFrame &elements)
 {
   Entry entry{time, write_pieces("points", number, time, points),
-              numbered("vtu/projectile_%04u.vtu", number), ""};
+              "vtu/" + frame_name("projectile", number) + ".vtu", ""};
   int n_elements = static_cast<int>(elements.corners.size());
   MPI_Allreduce(MPI_IN_PLACE, &n_elements, 1, MPI_INT, MPI_SUM, comm_);
   if (n_elements > 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/simulation/damage_report.h"
 
+#include "ricochet/base/mpi_tools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -29,10 +31,8 @@ double bonds_of_box(const Lattice &lattice)
 
 void sum_on_first_rank(const MPI_Comm communicator, std::vector<float> &values)
 {
-  int rank;
-  MPI_Comm_rank(communicator, &rank);
   // Every value is zero on all ranks but its owner's.
-  MPI_Reduce(rank == 0 ? MPI_IN_PLACE : values.data(), values.data(),
+  MPI_Reduce(rank_in(communicator) == 0 ? MPI_IN_PLACE : values.data(), values.data(),
              static_cast<int>(values.size()), MPI_FLOAT, MPI_SUM, 0, communicator);
 }
 } // namespace

@@ -3,6 +3,7 @@
 #include "commands/run.h"
 
 #include "support/scratch_directory.h"
+#include "support/two_plates_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,58 +13,13 @@ namespace
 {
 using namespace tests;
 
-const char *const scene = R"(
-subsection Projectile
-  set Nose shape = sphere
-  set Diameter   = 6 mm
-  set Density    = 7850 kg/m3
-end
-subsection Impact
-  set Speed           = 300 m/s
-  set Incidence angle = 30 deg
-  set Entry point     = 10 mm, 0 mm
-end
-subsection Plate 1
-  set Size         = 40 mm, 20 mm, 6 mm
-  set Grid spacing = 1 mm
-  set Material     = PMMA
-end
-subsection Plate 2
-  set Size         = 40 mm, 20 mm, 6 mm
-  set Grid spacing = 1 mm
-  set Material     = PMMA
-end
-subsection Material PMMA
-  set Density          = 1190 kg/m3
-  set Bulk modulus     = 5.9 GPa
-  set Shear modulus    = 2.258 GPa
-  set Critical stretch = 0.01
-end
-subsection Contact
-  set Friction law           = constant
-  set Static friction        = 0.3
-  set Debris friction factor = 0.5
-end
-subsection Time
-  set Final time = 30 us
-end
-subsection Output
-  set Frame interval = 0 us
-  set ParaView files = false
-  set Pictures       = false
-  set Picture times  = 0 us, 12.3 us, 20 us, 40 us
-end
-)";
-
 TEST(Run, SummaryTellsPositionsAtStatedTimesAndDamagePerPlate)
 {
   const ScratchDirectory scratch;
   const auto folder = scratch.path() / "results";
   RunOptions options;
   options.quiet    = true;
-  const auto file  = ParameterFile::from_text(scene, "scene.prm",
-                                              {{"Output", "Directory", folder.string(), "test"}});
-  const auto s     = run(MPI_COMM_WORLD, file, options);
+  const auto s     = run_scene(MPI_COMM_WORLD, two_plates_file(folder.string()), options);
   const double dt  = s["time_step_us"];
   const auto &list = s["positions"];
   ASSERT_EQ(list.size(), 3u); // the fourth time lies behind the end
@@ -110,6 +66,49 @@ TEST(Run, SummaryTellsPositionsAtStatedTimesAndDamagePerPlate)
       }
     FAIL() << "no column of the work of debris friction";
   }
+}
+
+TEST(Run, FinishedOnesAreNotOverwrittenUnasked)
+{
+  const ScratchDirectory scratch;
+  const auto folder = (scratch.path() / "results").string();
+  const auto file   = two_plates_file(folder, {"Time/Final time=1 us"});
+  RunOptions options;
+  options.quiet = true;
+  run_scene(MPI_COMM_WORLD, file, options);
+  EXPECT_TRUE(contains(message_of([&] { run_scene(MPI_COMM_WORLD, file, options); }), "--force"));
+  options.force = true;
+  EXPECT_EQ(run_scene(MPI_COMM_WORLD, file, options)["failed"], false);
+}
+
+TEST(Run, DescriptionHasTheNumbersOfItsSummary)
+{
+  const nlohmann::ordered_json summary{{"outcome", "ricochet"},
+                                       {"reason", "it has left"},
+                                       {"exit_speed_m_s", 287.4},
+                                       {"exit_angle_deg", 12.34},
+                                       {"pitch_deg", -3.21},
+                                       {"time_us", 401.6},
+                                       {"max_depth_mm", 4.56},
+                                       {"path_mm", 123.4},
+                                       {"energy_residual", 0.00123},
+                                       {"momentum_drift", nullptr}, // not a number
+                                       {"angular_momentum_drift", 2.2e-13},
+                                       {"points", 1234567},
+                                       {"steps", 3000},
+                                       {"core_seconds", 12.34},
+                                       {"bond_rate_per_core", 4.19e8},
+                                       {"directory", "results/x"}};
+  EXPECT_EQ(
+      describe_run(summary),
+      "\noutcome     ricochet: it has left\n"
+      "exit        287 m/s at 12.3 deg to the plate, pitch -3.2 deg, after 402 us; deepest 4.6 "
+      "mm, path 123 mm\n"
+      "balance     energy residual 0.12 % of the impact energy, momentum drift nan, angular "
+      "momentum drift 2e-13\n"
+      "cost        1234567 points, 3000 steps, 12.3 core-seconds, 419 M directed bonds/s per "
+      "core\n"
+      "results     results/x");
 }
 } // namespace
 } // namespace ricochet

@@ -5,8 +5,10 @@
 #include "ricochet/output/pictures.h"
 #include "ricochet/output/summary.h"
 
+#include "support/environment.h"
 #include "support/scratch_directory.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -17,32 +19,27 @@ namespace
 using namespace tests;
 namespace fs = std::filesystem;
 
-/// An environment variable while it lives.
-class Variable
-{
-public:
-  Variable(const char *name, const std::string &value) : name_(name)
-  {
-    if (const char *before = std::getenv(name))
-      before_ = before, was_set_ = true;
-    setenv(name, value.c_str(), 1);
-  }
-  ~Variable() { was_set_ ? setenv(name_, before_.c_str(), 1) : unsetenv(name_); }
-  Variable(const Variable &)            = delete;
-  Variable &operator=(const Variable &) = delete;
+/// The columns of a history that the picture needs.
+const std::vector<History::Column> needed_columns{{"time", "us"},
+                                                  {"x", "mm"},
+                                                  {"z", "mm"},
+                                                  {"speed", "m/s"},
+                                                  {"velocity x", "m/s"},
+                                                  {"velocity z", "m/s"},
+                                                  {"pitch", "deg"},
+                                                  {"force normal", "kN"},
+                                                  {"force friction", "kN"},
+                                                  {"force shank", "kN"},
+                                                  {"residual relative", "-"},
+                                                  {"energy projectile", "J"},
+                                                  {"energy of tomorrow", "J"}};
 
-private:
-  const char *name_;
-  std::string before_;
-  bool was_set_ = false;
-};
-
-/// A small run: a plate of 40 x 8 points, a triangle that slides over it.
-void write_run(const fs::path &folder)
+/// A small run: a plate of 40 x 8 points, a triangle that slides over it. All columns of the
+/// history grow evenly.
+void write_run(const fs::path &folder, const std::vector<History::Column> &columns = needed_columns)
 {
   FieldWriter fields(MPI_COMM_WORLD, folder, /*vtu=*/false);
-  History history(MPI_COMM_WORLD, folder,
-                  {{"time", "us"}, {"x", "mm"}, {"z", "mm"}, {"speed", "m/s"}, {"pitch", "deg"}});
+  History history(MPI_COMM_WORLD, folder, columns);
   for (int step = 0; step < 4; ++step)
   {
     PointFrame points;
@@ -60,7 +57,7 @@ void write_run(const fs::path &folder)
     SurfaceFrame surface;
     surface.outline = {{x, 0., 0.}, {x + 0.01, 0., 0.}, {x, 0., 0.005}};
     fields.write(1e-5 * step, points, surface);
-    history.append({10. * step, 5. * step, 2., 500. - 10. * step, 3. * step});
+    history.append(std::vector<double>(columns.size(), 10. * step));
   }
   history.close();
   const std::vector<float> sound(40 * 8, 0.F), broken(40 * 8, 0.9F);
@@ -107,6 +104,26 @@ TEST(Pictures, AreDrawnFromTheResultsAlone)
   EXPECT_TRUE(is_png(folder / "section.png"));
   EXPECT_TRUE(is_png(folder / "damage.png"));
   EXPECT_TRUE(is_png(folder / "history.png"));
+}
+
+TEST(Pictures, FindTheirColumnsByNameAndNameTheOneThatIsMissing)
+{
+  if (!python_has_modules())
+    GTEST_SKIP() << "python3 has no matplotlib or h5py";
+  const ScratchDirectory scratch;
+  auto columns = needed_columns;
+  std::reverse(columns.begin(), columns.end());
+  write_run(scratch.path(), columns);
+  EXPECT_TRUE(draw_pictures(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+
+  columns.erase(columns.begin() + 3, columns.begin() + 4); // "force shank"
+  write_run(scratch.path(), columns);
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE(draw_pictures(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+  const std::string text = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(contains(text, "history.csv has no column 'force shank'; it has energy of tomorrow, "),
+            rank() == 0)
+      << text;
 }
 
 TEST(Pictures, OfAStudyCompareItsCases)

@@ -60,6 +60,8 @@ TEST(ResultDirectory, ForceRemovesResultsAndNothingElse)
                                             "used.prm",
                                             "vtu/points_0003.pvtu",
                                             "vtu/points_0003.011.vtu",
+                                            "vtu/elements_0003.pvtu",
+                                            "vtu/elements_0003.000.vtu",
                                             "vtu/projectile_0003.vtu"};
   const std::vector<std::string> mine    = {"notes.txt",     "history.csv.bak", "my_history.csv",
                                             "vtu/view.pvsm", "vtu/history.csv", "plots/history.csv"};

@@ -69,7 +69,7 @@ TEST(Outcome, ThroughTheRearFaceIsPerforation)
     ASSERT_TRUE(run.watch.decided());
     const auto verdict = run.watch.verdict("not asked");
     EXPECT_EQ(verdict.outcome, Outcome::perforate);
-    EXPECT_EQ(verdict.exit_face, "rear");
+    EXPECT_EQ(verdict.exit_face, ExitFace::rear);
     EXPECT_EQ(verdict.exit_plate, stack ? 2 : 1);
     EXPECT_NE(verdict.reason.find(stack ? "rear face of plate 2" : "rear face and"),
               std::string::npos)
@@ -99,7 +99,7 @@ TEST(Outcome, OverAnEdgeItTellsTheOneOfWhichPlate)
     ASSERT_TRUE(run.watch.decided());
     const auto verdict = run.watch.verdict("not asked");
     EXPECT_EQ(verdict.outcome, Outcome::edge) << verdict.reason;
-    EXPECT_EQ(verdict.exit_face, "edge");
+    EXPECT_EQ(verdict.exit_face, ExitFace::edge);
     EXPECT_EQ(verdict.exit_plate, plate);
     EXPECT_NE(verdict.reason.find("edge of plate " + std::to_string(plate)), std::string::npos);
     EXPECT_STREQ(name_of(verdict.outcome), "edge");
@@ -114,7 +114,7 @@ TEST(Outcome, OffThePlateIsRicochet)
   ASSERT_TRUE(run.watch.decided());
   const auto verdict = run.watch.verdict("not asked");
   EXPECT_EQ(verdict.outcome, Outcome::ricochet) << verdict.reason;
-  EXPECT_EQ(verdict.exit_face, "front");
+  EXPECT_EQ(verdict.exit_face, ExitFace::front);
   EXPECT_EQ(verdict.exit_plate, 1);
   EXPECT_GT(run.simulation.projectile().motion().velocity.z(), 0.);
   EXPECT_GT(run.watch.contact_duration(), 0.);
@@ -151,7 +151,7 @@ TEST(Outcome, AtRestIsStuck)
   ASSERT_TRUE(run.watch.decided());
   const auto verdict = run.watch.verdict("not asked");
   EXPECT_EQ(verdict.outcome, Outcome::stuck) << verdict.reason;
-  EXPECT_EQ(verdict.exit_face, "none");
+  EXPECT_EQ(verdict.exit_face, ExitFace::none);
   EXPECT_EQ(verdict.exit_plate, 0);
   EXPECT_LT(run.simulation.projectile().motion().velocity.norm(), 0.01 * scene.impact.speed);
 }

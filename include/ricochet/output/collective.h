@@ -9,9 +9,6 @@
 
 namespace ricochet
 {
-/// Rank of this process in the communicator.
-int rank_in(MPI_Comm comm);
-
 /// Runs the action on every rank. If it throws anywhere, all ranks throw FileError with the message
 /// of the lowest rank that failed. Collective.
 void on_every_rank(MPI_Comm comm, const std::function<void()> &action);

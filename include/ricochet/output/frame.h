@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What one picture in time consists of, as plain arrays in SI: filled by the simulation, written by
-// the output floor.
+// the output room.
 #pragma once
 
 #include "ricochet/base/vector.h"
+#include "ricochet/geometry/surface_frame.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace ricochet
@@ -34,14 +34,5 @@ struct ElementFrame
   // Places one grid spacing apart in the layer next to the plane y = 0, for the section picture.
   std::vector<Vector3> section_position; // current [m]
   std::vector<int> section_body;
-};
-
-/// A rigid projectile: closed surface of quadrilaterals (for ParaView) and its outline in the plane
-/// y = 0 (for the section picture); the same on all ranks.
-struct SurfaceFrame
-{
-  std::vector<Vector3> vertices;         // current [m]
-  std::vector<std::array<int, 4>> quads; // vertex numbers
-  std::vector<Vector3> outline;          // closed polygon [m]
 };
 } // namespace ricochet

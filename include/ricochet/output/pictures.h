@@ -11,8 +11,8 @@ namespace ricochet
 {
 /// Draws DIRECTORY/section.png and DIRECTORY/history.png from the other results and returns whether
 /// that worked, the same on all ranks. Rank 0 runs the script in the folder named by the
-/// environment variable RICOCHET_SCRIPT_DIR, or else in the one compiled in, and says in one line
-/// what it drew (unless quiet) or why it could not. Collective.
+/// environment variable RICOCHET_SCRIPT_DIR, or else in share/ricochet/scripts beside the program's
+/// folder, and says in one line what it drew (unless quiet) or why it could not. Collective.
 bool draw_pictures(MPI_Comm comm, const std::filesystem::path &directory, bool quiet);
 
 /// The same with plot_study.py: draws DIRECTORY/comparison.png from study.csv and the results in

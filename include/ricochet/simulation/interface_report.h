@@ -32,10 +32,8 @@ struct InterfaceReport
   bool good() const { return ghost_good() && strain_good() && step_good(); }
 };
 
-/// Of all plates with an interface; `residual_left` as in patch_test(). Before the first step only.
-/// Collective.
+/// Of all plates with an interface; `residual_left` as in patch_test(). Moves the nodes and brings
+/// them back to rest, so only for a simulation that has not made a step. Collective.
 std::vector<InterfaceReport> interface_reports(MPI_Comm communicator, Simulation &simulation,
                                                double residual_left = 1e-2);
-
-void print(const std::vector<InterfaceReport> &reports);
 } // namespace ricochet

@@ -20,12 +20,23 @@ enum class Outcome
 
 const char *name_of(Outcome outcome);
 
+/// Where a projectile has left the target.
+enum class ExitFace
+{
+  none, // it has not
+  front,
+  rear,
+  edge
+};
+
+const char *name_of(ExitFace face);
+
 struct OutcomeVerdict
 {
   Outcome outcome;
-  std::string exit_face; // "front", "rear", "edge" or "none"
-  int exit_plate;        // whose face or edge that is, from 1; 0 if it has not left
-  std::string reason;    // why the run ended, for the user
+  ExitFace exit_face;
+  int exit_plate;     // whose face or edge that is, from 1; 0 if it has not left
+  std::string reason; // why the run ended, for the user
 };
 
 class OutcomeWatch
@@ -56,8 +67,10 @@ private:
   /// The face behind which the whole projectile (or, if `centroid`, its centre) lies and from which
   /// it moves away. Over an edge, but above the front or below the rear face when its centre passed
   /// it, counts as that face.
-  std::string face_left_behind(bool centroid) const;
-  int plate_left_behind(const std::string &face) const; // from 1; 0 for "none"
+  ExitFace face_left_behind(bool centroid) const;
+  int plate_left_behind(ExitFace face) const; // from 1; 0 for none
+  /// "the rear face of plate 2", for the user.
+  std::string way_out(ExitFace face) const;
 
   const Simulation &simulation_;
   bool decided_     = false;

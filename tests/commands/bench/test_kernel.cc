@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "commands/bench.h"
-#include "commands/bench_history.h"
+#include "commands/bench/history.h"
+#include "commands/bench/kernel.h"
 #include "ricochet/base/exceptions.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,8 @@ struct ElementBenchOptions
   int elements_per_edge = 48; // of a cube
   int repeats           = 7;  // the median counts
   /// "one point" or "full"; "own tensors": full, each Gauss point with its own stiffness;
-  /// "general": one point, distorted elements, as in a projectile: one cube per rank.
+  /// "general": one point, distorted elements; one cube per rank, as every rank computes a
+  /// projectile whole.
   std::string element   = "one point";
   std::string instruction_set; // empty: the best one
   int branches = 0;            // that relax; an elastic cube is then timed in turn with this one
@@ -23,8 +24,4 @@ struct ElementBenchOptions
 /// which is refined once so that hanging nodes take part. Collective; prints on rank 0. Throws
 /// InputError for an unknown element or instruction set.
 void bench_elements(MPI_Comm communicator, const ElementBenchOptions &options);
-
-/// The element "general": one cube of distorted elements per rank, as every rank computes a
-/// projectile whole.
-void bench_general_elements(MPI_Comm communicator, const ElementBenchOptions &options);
 } // namespace ricochet

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bench_history.h"
+#include "bench/history.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
-#include "ricochet/output/collective.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
 
 #include <nlohmann/json.hpp>

@@ -22,18 +22,6 @@ struct SearchBenchOptions
       picture; // PNG of seconds over points; its numbers go beside it, as .jsonl; empty: none
 };
 
-/**
- * Expected number of pairs closer than the radius among points spread uniformly over a cube.
- *
- * @param n_points   At least 0.
- * @param edge       Of the cube [m].
- * @param radius     Not above the edge [m].
- */
-double expected_random_pairs(double n_points, double edge, double radius);
-
-/// Number of pairs closer than the radius among the n^3 points of a cubic lattice [m].
-double lattice_pairs(int n, double spacing, double radius);
-
 /// Every method alone and, if there are several processes, on all of them. Collective; prints on
 /// rank 0. Throws InputError for impossible options and RunError if the methods' pairs differ.
 void bench_search(MPI_Comm communicator, const SearchBenchOptions &options);

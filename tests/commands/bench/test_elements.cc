@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "commands/bench_elements.h"
+#include "commands/bench/elements.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/kernels/hex_kernel.h"
 

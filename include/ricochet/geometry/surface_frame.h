@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The surface of a projectile at one moment, as pictures want it.
+#pragma once
+
+#include "ricochet/base/vector.h"
+
+#include <array>
+#include <vector>
+
+namespace ricochet
+{
+/// A closed surface of quadrilaterals (for ParaView) and its outline in the plane y = 0 (for the
+/// section picture); the same on all ranks.
+struct SurfaceFrame
+{
+  std::vector<Vector3> vertices;         // current [m]
+  std::vector<std::array<int, 4>> quads; // vertex numbers, around each
+  std::vector<Vector3> outline;          // closed polygon [m]
+};
+} // namespace ricochet

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One line of the history: what stands in each column, in what unit and what it means, in one list.
+#pragma once
+
+#include "ricochet/simulation/simulation.h"
+
+#include <string>
+#include <vector>
+
+namespace ricochet
+{
+/// Sums over all ranks and plates at one record.
+struct Totals
+{
+  EnergyBalance energies{};
+  double broken_bonds = 0.; // so far, each once [-]
+
+  /// An energy as a share of all there was at the start [-].
+  double share(const double energy) const
+  {
+    return energies.initial > 0. ? energy / energies.initial : 0.;
+  }
+  double relative_residual() const { return share(energies.residual()); }
+};
+
+/// Between evaluate(true) and advance(). Collective.
+Totals totals_of(const Simulation &simulation);
+
+/// What a record is computed from: a simulation between evaluate(true) and advance().
+struct Moment
+{
+  const Simulation &simulation;
+  const Totals &totals; // now
+};
+
+/// A column of history.csv and a dataset of history.h5. Whoever adds one writes this row and
+/// nothing else.
+struct HistoryColumn
+{
+  std::string name; // without comma and slash
+  std::string unit; // "-" if dimensionless
+  double (*value)(const Moment &moment);
+  std::string meaning;
+};
+
+/// In the order of the file.
+const std::vector<HistoryColumn> &history_columns();
+
+/// One value per column.
+std::vector<double> history_record(const Moment &moment);
+} // namespace ricochet

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What summary.json says of a run: every field with its unit, its value and its meaning in one row.
+#pragma once
+
+#include "ricochet/simulation/damage_report.h"
+#include "ricochet/simulation/history_record.h"
+#include "ricochet/simulation/interface_report.h"
+#include "ricochet/simulation/outcome.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ricochet
+{
+/// What a run notes on its way, for its end.
+struct RunNotes
+{
+  std::string directory;    // of the results
+  std::string version;      // of the program
+  int n_ranks         = 1;  //
+  double n_points     = 0.; // computed
+  double n_bonds      = 0.; // of the sound plates as computed
+  double core_seconds = 0.; // processor time of all ranks [s]
+  double bond_rate    = 0.; // directed bonds evaluated per second of wall time, all ranks [1/s]
+  double deepest      = 0.; // penetration of a point into the projectile so far [dx]
+  double on_elements_since = -1.; // when the projectile first touched some; negative: never [s]
+  bool interrupted         = false;
+  bool failed              = false;
+  MomentumBalance start_momenta{};         // at time 0
+  std::vector<InterfaceReport> interfaces; // at time 0
+  /// From sighting(), at the times that the scene states.
+  nlohmann::ordered_json positions = nlohmann::ordered_json::array();
+};
+
+/// A run at its end.
+struct RunEnd
+{
+  const Simulation &simulation;
+  const OutcomeWatch &watch;
+  const OutcomeVerdict &verdict;
+  const Totals &totals; // of the last record
+  const RunNotes &notes;
+};
+
+/// A field of the summary, as the user may read about it.
+struct SummaryField
+{
+  std::string place;   // "", or where it stands: "zones", "positions", "plate_N_"
+  std::string name;    // in a "plate_N_" the part behind
+  std::string unit;    // "-" if dimensionless, "" if it is no number
+  std::string meaning; // null values and fields that may be missing are explained here
+};
+
+/// All that a summary may have.
+std::vector<SummaryField> summary_fields();
+
+/// The summary, whose per-plate damage is `damage`. Collective.
+nlohmann::ordered_json run_summary(const RunEnd &end, const std::vector<PlateDamage> &damage);
+
+/// Where the projectile is, noted for a stated time [s], or rather in the first step after it.
+nlohmann::ordered_json sighting(const Simulation &simulation, const OutcomeWatch &watch,
+                                double stated_time);
+} // namespace ricochet

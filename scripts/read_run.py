@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Read the results of a ricochet run or study. Columns are found by their names, wherever they stand."""
+
+import csv
+import json
+import os
+import sys
+
+try:
+    import h5py
+    import numpy as np
+except ImportError as error:
+    print(f"{os.path.basename(sys.argv[0])}: {error}; apt install python3-matplotlib python3-h5py", file=sys.stderr)
+    sys.exit(3)
+
+from read_table import without
+
+
+class History:
+    """The columns of history.csv by their names without unit; an incomplete last line is dropped."""
+
+    def __init__(self, path):
+        self.path = path
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        self.columns, self.units = {}, {}
+        if not rows or not rows[0]:
+            return
+        rows, header = [row for row in rows[1:] if len(row) == len(rows[0])], rows[0]
+        values = np.array(rows, dtype=float).reshape(-1, len(header))
+        for head, column in zip(header, values.T):
+            name, _, unit = head.partition(" [")
+            self.columns[name.strip()] = column
+            self.units[name.strip()] = unit.rstrip("] ")
+
+    def __len__(self):
+        return len(self.columns.get("time", ()))
+
+    def __contains__(self, name):
+        return name in self.columns
+
+    def __getitem__(self, name):
+        if name not in self.columns:
+            raise without(self.path, name, self.columns)
+        return self.columns[name]
+
+    def named_with_unit(self, unit):
+        """Names of the columns of that unit, in their order."""
+        return [name for name in self.columns if self.units[name] == unit]
+
+
+class Frame:
+    """One frame of section.h5, lengths in mm."""
+
+    def __init__(self, group):
+        self.time = group.attrs["time_s"] * 1e6  # us
+        self.points = group["position"][:][:, [0, 2]] * 1e3
+        self.damage = group["damage"][:]
+        self.body = group["body"][:]
+        self.outline = group["outline"][:][:, [0, 2]] * 1e3
+
+
+class DamageMap:
+    """One plate of damage.h5 from above, lengths in m; the maps have a row per x."""
+
+    def __init__(self, file, plate):
+        self.plate = plate  # "plate_1"
+        self.spacing, self.x, self.y, self.mirrored = file[plate + "_grid"][:]
+        self.front, self.rear, self.mean = (file[f"{plate}_{kind}"][:] for kind in ("front", "rear", "mean"))
+
+
+def read_history(directory):
+    """The history, or None if the run has none."""
+    path = os.path.join(directory, "history.csv")
+    return History(path) if os.path.exists(path) else None
+
+
+def read_summary(directory):
+    """The summary of the run, or None if it has not ended."""
+    try:
+        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
+            return json.load(file)
+    except (OSError, ValueError):
+        return None
+
+
+def stated_times(directory):
+    """Times [s] at which the parameter file asks for panels; empty if it does not, or if the run has not ended."""
+    summary = read_summary(directory) or {}
+    return [position["time_us"] * 1e-6 for position in summary.get("positions", [])]
+
+
+def read_frames(directory, stated=(), n_panels=6):
+    """The frames at the stated times; without any, up to so many at even distances in time, the first and the last
+    among them. And the first one of all again. Nothing if the run has none."""
+    path = os.path.join(directory, "section.h5")
+    if not os.path.exists(path):
+        return [], None
+    with h5py.File(path, "r") as file:
+        names = sorted(file, key=lambda name: int(name.split("_")[1]))
+        if not names:
+            return [], None
+        times = np.array([file[name].attrs["time_s"] for name in names])
+        wanted = list(stated) or np.linspace(times[0], times[-1], min(n_panels, len(names)))
+        if len(stated) % 2 == 1:
+            wanted.append(times[-1])  # there is room for it
+        chosen = sorted({int(np.argmin(np.abs(times - time))) for time in wanted})
+        return [Frame(file[names[i]]) for i in chosen], Frame(file[names[0]])
+
+
+def read_damage(directory):
+    """The maps of all plates from top to bottom; empty if the run has not ended."""
+    path = os.path.join(directory, "damage.h5")
+    if not os.path.exists(path):
+        return []
+    with h5py.File(path, "r") as file:
+        plates = [name[: -len("_grid")] for name in file if name.endswith("_grid")]
+        return [DamageMap(file, plate) for plate in sorted(plates, key=lambda name: int(name.split("_")[1]))]
+
+
+def title_of(directory):
+    """Title of the run and, if it has ended, its outcome."""
+    name = os.path.basename(os.path.abspath(directory))
+    summary = read_summary(directory)
+    if summary is None:
+        return name, "run not finished"
+    outcome = str(summary.get("outcome", ""))
+    parts = [{"perforate": "perforation", "undecided": "outcome undecided",
+              "edge": f"leaves through the edge of plate {summary.get('exit_plate', 1)}"}.get(outcome, outcome)]
+    if summary.get("exit_speed_m_s") is not None and outcome != "stuck":
+        parts.append(f"{'last' if outcome == 'undecided' else 'exit'} speed {summary['exit_speed_m_s']:.0f} m/s")
+        if summary.get("exit_angle_deg") is not None:
+            parts[-1] += f" at {summary['exit_angle_deg']:.1f}°".replace("-", "−")
+    if summary.get("max_depth_mm") is not None:
+        parts.append(f"greatest depth {summary['max_depth_mm']:.1f} mm")
+    return summary.get("title") or name, "  ·  ".join(part for part in parts if part)

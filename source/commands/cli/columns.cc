@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "columns.h"
+
+#include "cli/command.h"
+#include "ricochet/base/mpi_tools.h"
+
+#include <iostream>
+
+namespace ricochet
+{
+Command declare_columns(CLI::App &app)
+{
+  const auto json = std::make_shared<bool>(false);
+  auto *command   = app.add_subcommand(
+        "columns", "print what stands in history.csv and summary.json, with units and meaning");
+  command->add_flag("--json", *json, "one JSON object");
+  return {command, [json](const MPI_Comm communicator)
+          {
+            if (rank_in(communicator) == 0)
+              print_columns(std::cout, *json);
+            return 0;
+          }};
+}
+} // namespace ricochet

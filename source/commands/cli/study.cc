@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "study.h"
+
+#include "cli/command.h"
+
+namespace ricochet
+{
+namespace
+{
+constexpr int some_failed = 4; // as for a run that breaks down
+
+struct Options
+{
+  std::string file;
+  StudyOptions study;
+};
+} // namespace
+
+Command declare_study(CLI::App &app)
+{
+  const auto options = std::make_shared<Options>();
+  auto *command =
+      app.add_subcommand("study", "run scenes over one or more axes and print one table");
+  command->add_option("file", options->file, "study file (.prm with a section Study)")->required();
+  command->add_flag("--resume", options->study.resume, "go on: skip the cases that are finished");
+  command->add_flag("--quiet", options->study.quiet, "no progress of the single runs");
+  return {command, [options](const MPI_Comm communicator) {
+            return run_study(communicator, options->file, options->study) == 0 ? 0 : some_failed;
+          }};
+}
+} // namespace ricochet

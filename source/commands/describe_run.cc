@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/base/number_text.h"
+#include "run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace ricochet
+{
+std::string describe_run(const nlohmann::ordered_json &summary)
+{
+  // What could not be computed is null.
+  const auto number = [&](const char *key)
+  { return summary[key].is_number() ? summary[key].get<double>() : std::nan(""); };
+  const auto text    = [&](const char *key) { return summary[key].get<std::string>(); };
+  const auto rounded = [&](const char *key, const int n) { return with_decimals(number(key), n); };
+  const auto power   = [&](const char *key) { return with_exponent(number(key), 0); };
+  return "\noutcome     " + text("outcome") + ": " + text("reason") + "\nexit        " +
+         rounded("exit_speed_m_s", 0) + " m/s at " + rounded("exit_angle_deg", 1) +
+         " deg to the plate, pitch " + rounded("pitch_deg", 1) + " deg, after " +
+         rounded("time_us", 0) + " us; deepest " + rounded("max_depth_mm", 1) + " mm, path " +
+         rounded("path_mm", 0) + " mm\nbalance     energy residual " +
+         with_decimals(100. * number("energy_residual"), 2) +
+         " % of the impact energy, momentum drift " + power("momentum_drift") +
+         ", angular momentum drift " + power("angular_momentum_drift") + "\ncost        " +
+         rounded("points", 0) + " points, " + rounded("steps", 0) + " steps, " +
+         rounded("core_seconds", 1) + " core-seconds, " +
+         with_decimals(1e-6 * number("bond_rate_per_core"), 0) +
+         " M directed bonds/s per core\nresults     " + text("directory");
+}
+} // namespace ricochet

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/simulation/history_record.h"
+
+#include "ricochet/base/units.h"
+
+namespace ricochet
+{
+namespace
+{
+using namespace units;
+
+const RigidBody::Motion &motion(const Moment &m)
+{
+  return m.simulation.projectile().motion();
+}
+
+const ContactRecord &reaction(const Moment &m)
+{
+  return m.simulation.reaction();
+}
+
+/// Of the projectile's lowest point below the undeformed front face of the first plate [m].
+double tip_depth(const Simulation &simulation)
+{
+  return simulation.target_box().second.z() - simulation.projectile().bounding_box().first.z();
+}
+
+using M = const Moment &;
+
+const std::vector<HistoryColumn> columns{
+    {"time", "us", [](M m) { return m.simulation.time() / us; }, "since the start of the run"},
+    {"x", "mm", [](M m) { return motion(m).position.x() / mm; },
+     "centroid of the projectile; it flies along x"},
+    {"y", "mm", [](M m) { return motion(m).position.y() / mm; }, "the same, to the side"},
+    {"z", "mm", [](M m) { return motion(m).position.z() / mm; },
+     "the same, above the front face of the first plate"},
+    {"speed", "m/s", [](M m) { return motion(m).velocity.norm(); }, "of the projectile's centroid"},
+    {"velocity x", "m/s", [](M m) { return motion(m).velocity.x(); },
+     "of the projectile's centroid"},
+    {"velocity y", "m/s", [](M m) { return motion(m).velocity.y(); },
+     "of the projectile's centroid"},
+    {"velocity z", "m/s", [](M m) { return motion(m).velocity.z(); },
+     "of the projectile's centroid"},
+    {"pitch", "deg", [](M m) { return m.simulation.projectile().pitch() / deg; },
+     "of the projectile's axis against the plates, nose up is positive"},
+    {"spin x", "rad/s", [](M m) { return motion(m).spin.x(); },
+     "angular velocity of the projectile"},
+    {"spin y", "rad/s", [](M m) { return motion(m).spin.y(); },
+     "angular velocity of the projectile"},
+    {"spin z", "rad/s", [](M m) { return motion(m).spin.z(); },
+     "angular velocity of the projectile"},
+    {"tip depth", "mm", [](M m) { return tip_depth(m.simulation) / mm; },
+     "lowest point of the projectile below the undeformed front face of the first plate"},
+    {"force normal", "kN", [](M m) { return reaction(m).normal.norm() / 1e3; },
+     "contact with plates and debris: magnitude of the sum of the normal forces"},
+    {"force friction", "kN", [](M m) { return reaction(m).friction.norm() / 1e3; },
+     "the same of friction"},
+    {"force shank", "kN", [](M m) { return reaction(m).shank.norm() / 1e3; },
+     "the same of the resistance along the shank"},
+    {"force x", "kN", [](M m) { return reaction(m).force().x() / 1e3; },
+     "sum of all contact forces on the projectile"},
+    {"force y", "kN", [](M m) { return reaction(m).force().y() / 1e3; },
+     "sum of all contact forces on the projectile"},
+    {"force z", "kN", [](M m) { return reaction(m).force().z() / 1e3; },
+     "sum of all contact forces on the projectile"},
+    {"energy projectile", "J", [](M m) { return m.totals.energies.projectile; },
+     "kinetic energy of the projectile"},
+    {"energy elastic", "J", [](M m) { return m.totals.energies.elastic; },
+     "stored in the deformation of the projectile"},
+    {"energy kinetic", "J", [](M m) { return m.totals.energies.kinetic; }, "of the plates"},
+    {"energy strain", "J", [](M m) { return m.totals.energies.strain; },
+     "stored in the plates' intact bonds and elements"},
+    {"energy hourglass", "J", [](M m) { return m.totals.energies.hourglass; },
+     "stored in the hourglass modes of one-point elements"},
+    {"loss conversion", "J", [](M m) { return m.totals.energies.conversion; },
+     "lost where elements became points"},
+    {"energy contact", "J", [](M m) { return m.totals.energies.contact; },
+     "stored in the penalty springs between projectile and plates"},
+    {"energy debris", "J", [](M m) { return m.totals.energies.debris; },
+     "stored in the repulsion of debris and between plates"},
+    {"work friction", "J", [](M m) { return m.totals.energies.friction; },
+     "turned into heat between projectile and plates"},
+    {"work debris friction", "J", [](M m) { return m.totals.energies.debris_friction; },
+     "turned into heat between plates and in debris"},
+    {"energy fracture", "J", [](M m) { return m.totals.energies.fracture; },
+     "released by broken bonds"},
+    {"energy viscous", "J", [](M m) { return m.totals.energies.viscous; },
+     "turned into heat by relaxation"},
+    {"energy absorbed", "J", [](M m) { return m.totals.energies.absorbed; },
+     "has left through edges that do not reflect"},
+    {"energy residual", "J", [](M m) { return m.totals.energies.residual(); },
+     "initial energy minus all of the above: what the balance does not account for"},
+    {"residual relative", "-", [](M m) { return m.totals.relative_residual(); },
+     "the same as a share of the initial energy"},
+    {"broken bonds", "-", [](M m) { return m.totals.broken_bonds; },
+     "so far, each counted once, both halves of a symmetric scene"}};
+} // namespace
+
+Totals totals_of(const Simulation &simulation)
+{
+  return {simulation.energies(), simulation.broken_bonds()};
+}
+
+const std::vector<HistoryColumn> &history_columns()
+{
+  return columns;
+}
+
+std::vector<double> history_record(const Moment &moment)
+{
+  std::vector<double> record;
+  for (const HistoryColumn &column : columns)
+    record.push_back(column.value(moment));
+  return record;
+}
+} // namespace ricochet

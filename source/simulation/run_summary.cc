@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/simulation/run_summary.h"
+
+#include "summary_row.h"
+#include "zone_summary.h"
+
+#include <cmath>
+
+namespace ricochet
+{
+namespace
+{
+using namespace units;
+using Json = nlohmann::ordered_json;
+
+const RigidBody::Motion &motion(const Simulation &simulation)
+{
+  return simulation.projectile().motion();
+}
+
+/// Of the path against the plates, upwards is positive [deg].
+double climb(const Vector3 &velocity)
+{
+  return std::atan2(velocity.z(), std::hypot(velocity.x(), velocity.y())) / deg;
+}
+
+/// The projectile at a stated time.
+struct Sighting
+{
+  const Simulation &simulation;
+  const OutcomeWatch &watch;
+  double stated_time; // [s]
+};
+
+const std::vector<SummaryRow<Sighting>> position_rows{
+    {"stated_us", "us", [](const Sighting &s) -> Json { return s.stated_time / us; },
+     "from Output/Picture times"},
+    {"time_us", "us", [](const Sighting &s) -> Json { return s.simulation.time() / us; },
+     "of the first step that is not before it, to which the others belong"},
+    {"x_mm", "mm", [](const Sighting &s) -> Json { return motion(s.simulation).position.x() / mm; },
+     "centroid of the projectile"},
+    {"y_mm", "mm", [](const Sighting &s) -> Json { return motion(s.simulation).position.y() / mm; },
+     "centroid of the projectile"},
+    {"z_mm", "mm", [](const Sighting &s) -> Json { return motion(s.simulation).position.z() / mm; },
+     "centroid of the projectile"},
+    {"path_mm", "mm", [](const Sighting &s) -> Json { return s.watch.path() / mm; },
+     "length of the centroid's path so far"},
+    {"speed_m_s", "m/s",
+     [](const Sighting &s) -> Json { return motion(s.simulation).velocity.norm(); },
+     "of the centroid"},
+    {"pitch_deg", "deg",
+     [](const Sighting &s) -> Json { return s.simulation.projectile().pitch() / deg; },
+     "of the axis against the plates, nose up is positive"},
+    {"angle_deg", "deg",
+     [](const Sighting &s) -> Json { return climb(motion(s.simulation).velocity); },
+     "of the velocity against the plates, upwards is positive"}};
+
+/// Per plate, x from and to, y from and to, z from and to.
+Json damaged_boxes(const Simulation &simulation)
+{
+  auto boxes = Json::array();
+  for (std::size_t i = 0; i < simulation.plates().size(); ++i)
+  {
+    const auto [low, high] = simulation.damaged_box(i);
+    auto box               = Json::array();
+    for (int d = 0; d < 3 && low[d] <= high[d]; ++d)
+      for (const double x : {low[d], high[d]})
+        box.push_back(std::round(1e3 * x / mm) / 1e3);
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+double drift(const Vector3 &now, const Vector3 &start)
+{
+  return (now - start).norm() / start.norm();
+}
+
+using E = const RunEnd &;
+
+const std::vector<SummaryRow<RunEnd>> rows{
+    {"title", "", [](E e) -> Json { return e.simulation.scene().title; }, "of the scene"},
+    {"directory", "", [](E e) -> Json { return e.notes.directory; }, "of the results"},
+    {"outcome", "", [](E e) -> Json { return name_of(e.verdict.outcome); },
+     "ricochet, perforate, edge, stuck or undecided"},
+    {"reason", "", [](E e) -> Json { return e.verdict.reason; }, "why the run ended"},
+    {"exit_face", "", [](E e) -> Json { return name_of(e.verdict.exit_face); },
+     "front, rear, edge or none"},
+    {"exit_plate", "-", [](E e) -> Json { return e.verdict.exit_plate; },
+     "whose face or edge that is, from 1; 0 if the projectile has not left"},
+    {"exit_speed_m_s", "m/s", [](E e) -> Json { return motion(e.simulation).velocity.norm(); },
+     "of the projectile's centroid at the end"},
+    {"exit_angle_deg", "deg", [](E e) -> Json { return climb(motion(e.simulation).velocity); },
+     "of the velocity against the plates, upwards is positive"},
+    {"pitch_deg", "deg", [](E e) -> Json { return e.simulation.projectile().pitch() / deg; },
+     "of the projectile's axis against the plates, nose up is positive"},
+    {"max_depth_mm", "mm", [](E e) -> Json { return e.watch.max_depth() / mm; },
+     "largest depth of the projectile's lowest point below the undeformed front face"},
+    {"path_mm", "mm", [](E e) -> Json { return e.watch.path() / mm; },
+     "length of the centroid's path"},
+    {"contact_duration_us", "us", [](E e) -> Json { return e.watch.contact_duration() / us; },
+     "from the first to the last touch, debris included"},
+    {"time_us", "us", [](E e) -> Json { return e.simulation.time() / us; }, "at the end"},
+    {"energy_residual", "-", [](E e) -> Json { return e.totals.relative_residual(); },
+     "what the balance does not account for, as a share of the initial energy, at the last record"},
+    {"energy_viscous", "-", [](E e) -> Json { return e.totals.share(e.totals.energies.viscous); },
+     "turned into heat by relaxation, likewise"},
+    {"energy_absorbed", "-", [](E e) -> Json { return e.totals.share(e.totals.energies.absorbed); },
+     "has left through edges that do not reflect, likewise"},
+    {"momentum_drift", "-",
+     [](E e) -> Json { return drift(e.simulation.momenta().linear, e.notes.start_momenta.linear); },
+     "change of the total momentum, in units of that at the start"},
+    {"angular_momentum_drift", "-",
+     [](E e) -> Json
+     { return drift(e.simulation.momenta().angular, e.notes.start_momenta.angular); },
+     "the same of the angular momentum about the origin"},
+    {"deepest_penetration_dx", "-", [](E e) -> Json { return e.notes.deepest; },
+     "of a point into the projectile, in grid spacings; contact is too soft above 0.5"},
+    {"on_elements_us", "us", [](E e) -> Json { return in_us_or_null(e.notes.on_elements_since); },
+     "when the projectile first touched finite elements, which do not break; null: never"},
+    {"broken_bonds", "-", [](E e) -> Json { return std::llround(e.totals.broken_bonds); },
+     "each counted once, both halves of a symmetric scene, at the last record"},
+    {"damaged_boxes_mm", "mm", [](E e) { return damaged_boxes(e.simulation); },
+     "per plate the box around the damaged points in the reference configuration: x from and to, "
+     "y, "
+     "z; empty if there are none"},
+    {"zones", "", [](E e) { return zone_summary(e.simulation, e.notes.interfaces); },
+     "per plate, see below"},
+    {"points", "-", [](E e) -> Json { return std::llround(e.notes.n_points); },
+     "peridynamic points as computed, of one half in a symmetric scene"},
+    {"bonds", "-", [](E e) -> Json { return std::llround(e.notes.n_bonds); },
+     "of the sound plates as computed, of one half in a symmetric scene"},
+    {"steps", "-", [](E e) -> Json { return e.simulation.step(); }, "made"},
+    {"time_step_us", "us", [](E e) -> Json { return e.simulation.dt() / us; }, "of the run"},
+    {"ranks", "-", [](E e) -> Json { return e.notes.n_ranks; }, "MPI processes"},
+    {"instruction_set", "",
+     [](E e) -> Json { return e.simulation.plates()[0]->kernel().instruction_set; },
+     "of the kernels"},
+    {"core_seconds", "s", [](E e) -> Json { return e.notes.core_seconds; },
+     "processor time of all ranks"},
+    {"bond_rate_per_core", "1/s", [](E e) -> Json { return e.notes.bond_rate / e.notes.n_ranks; },
+     "directed bonds evaluated per second of wall time and rank"},
+    {"interrupted", "", [](E e) -> Json { return e.notes.interrupted; },
+     "whether the user ended the run"},
+    {"failed", "", [](E e) -> Json { return e.notes.failed; },
+     "whether the run broke down; reason says why"},
+    {"version", "", [](E e) -> Json { return e.notes.version; }, "of ricochet"}};
+
+const std::vector<SummaryRow<PlateDamage>> damage_rows{
+    {"broken_share", "-", [](const PlateDamage &d) -> Json { return d.broken_share; },
+     "of the bonds of plate N, had it no elements"},
+    {"front_damaged_mm2", "mm2",
+     [](const PlateDamage &d) -> Json { return d.front_area / (mm * mm); },
+     "area of the points of its front face that have lost more than a quarter of their bonds, both "
+     "halves"},
+    {"rear_damaged_mm2", "mm2",
+     [](const PlateDamage &d) -> Json { return d.rear_area / (mm * mm); },
+     "the same of its rear face"}};
+} // namespace
+
+std::vector<SummaryField> summary_fields()
+{
+  std::vector<SummaryField> fields;
+  append(fields, "", rows);
+  append(fields, "plate_N_", damage_rows);
+  append_zone_fields(fields, "zones");
+  append(fields, "positions", position_rows);
+  return fields;
+}
+
+Json run_summary(const RunEnd &end, const std::vector<PlateDamage> &damage)
+{
+  Json summary = object_of(rows, end);
+  for (std::size_t i = 0; i < damage.size(); ++i)
+    summary.update(object_of(damage_rows, damage[i], "plate_" + std::to_string(i + 1) + "_"));
+  if (!end.notes.positions.empty())
+    summary["positions"] = end.notes.positions;
+  return summary;
+}
+
+Json sighting(const Simulation &simulation, const OutcomeWatch &watch, const double stated_time)
+{
+  return object_of(position_rows, Sighting{simulation, watch, stated_time});
+}
+} // namespace ricochet

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the command line turns into, without running it.
+#include "commands/cli/command.h"
+#include "commands/several_processes.h"
+
+#include "support/environment.h"
+#include "support/scratch_directory.h"
+
+#include <nlohmann/json.hpp>
+
+namespace ricochet
+{
+namespace
+{
+using namespace tests;
+
+struct Parsed
+{
+  explicit Parsed(const std::string &line) : commands(declare_commands(app)) { app.parse(line); }
+
+  CLI::App app;
+  std::vector<Command> commands;
+};
+
+TEST(CommandLine, NamesOneCommand)
+{
+  for (const char *line :
+       {"run a.prm --quiet", "check a.prm --coupling", "mesh a.prm --write a.msh",
+        "study a.prm --resume", "template", "columns --json", "bench kernel --edge 20",
+        "bench elements --element full", "bench history --decades 2", "bench search --repeats 1"})
+  {
+    const Parsed parsed(line);
+    const std::string name = chosen(parsed.commands).app->get_name();
+    EXPECT_TRUE(contains(line, name)) << line << " is " << name;
+  }
+}
+
+TEST(CommandLine, RefusesWhatNoCommandKnows)
+{
+  for (const char *line : {"", "fly", "run", "run a.prm --fast", "bench", "bench sun",
+                           "bench search --processes 0", "bench search --processes many"})
+    EXPECT_THROW(Parsed parsed(line), CLI::ParseError) << line;
+}
+
+TEST(CommandLine, ProcessesAreAskedForByTheSearchAlone)
+{
+  EXPECT_EQ(chosen(Parsed("bench search --processes 4").commands).n_processes(), 4);
+  EXPECT_EQ(chosen(Parsed("bench search").commands).n_processes(), 1);
+  EXPECT_EQ(chosen(Parsed("run a.prm").commands).n_processes(), 1);
+}
+
+TEST(CommandLine, ColumnsArePrinted)
+{
+  const Parsed parsed("columns --json");
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(chosen(parsed.commands).execute(MPI_COMM_SELF), 0);
+  const auto all = nlohmann::json::parse(::testing::internal::GetCapturedStdout());
+  EXPECT_EQ(all["history"][0]["name"], "time");
+}
+
+TEST(CommandLine, MissingFileIsAFileError)
+{
+  for (const char *line : {"run no/such.prm", "check no/such.prm", "study no/such.prm"})
+  {
+    const Parsed parsed(line);
+    EXPECT_TRUE(contains(message_of([&] { chosen(parsed.commands).execute(MPI_COMM_SELF); }),
+                         "no/such.prm"));
+  }
+}
+
+TEST(SeveralProcesses, AreNotStartedTwiceNorForOne)
+{
+  char name[] = "ricochet";
+  char *argv[]{name, nullptr};
+  EXPECT_EQ(start_processes(1, 1, argv), 0);
+  const Variable one_of_several("OMPI_COMM_WORLD_SIZE", "4");
+  EXPECT_EQ(start_processes(4, 1, argv), 0);
+}
+
+TEST(SeveralProcesses, WithoutMpirunSayWhatIsMissing)
+{
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
+    GTEST_SKIP() << "is one of several already";
+  char name[] = "ricochet";
+  char *argv[]{name, nullptr};
+  const Variable nowhere("PATH", "/no/where");
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(start_processes(2, 1, argv), 3);
+  EXPECT_TRUE(contains(::testing::internal::GetCapturedStderr(), "openmpi-bin"));
+}
+} // namespace
+} // namespace ricochet

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "commands/interruption.h"
+
+#include "support/scratch_directory.h"
+
+#include <csignal>
+
+namespace ricochet
+{
+namespace
+{
+using namespace tests;
+
+TEST(Interruption, OfOneRankIsSeenByAll)
+{
+  for (const int signal : {SIGINT, SIGTERM})
+  {
+    const Interruption interruption;
+    EXPECT_FALSE(interruption.requested(MPI_COMM_WORLD));
+    if (rank() == n_ranks() - 1)
+      std::raise(signal);
+    EXPECT_TRUE(interruption.requested(MPI_COMM_WORLD));
+    EXPECT_TRUE(interruption.requested(MPI_COMM_WORLD));
+  }
+  // The next run begins anew.
+  EXPECT_FALSE(Interruption().requested(MPI_COMM_WORLD));
+}
+
+TEST(Interruption, LeavesTheSignalsAsTheyWereMeant)
+{
+  {
+    const Interruption interruption;
+    std::raise(SIGINT);
+    // A second one would end the program.
+    EXPECT_EQ(std::signal(SIGINT, SIG_IGN), SIG_DFL);
+  }
+  EXPECT_EQ(std::signal(SIGTERM, SIG_DFL), SIG_DFL);
+}
+} // namespace
+} // namespace ricochet

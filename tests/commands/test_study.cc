@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "commands/study.h"
+
+#include "support/scratch_directory.h"
+#include "support/two_plates_text.h"
+
+namespace ricochet
+{
+namespace
+{
+using namespace tests;
+namespace fs = std::filesystem;
+
+/// A study of two speeds over 1 us in the folder, the second of which may be impossible.
+std::string write_study(const fs::path &folder, const std::string &second_speed)
+{
+  if (rank() == 0)
+  {
+    std::ofstream(folder / "base.prm") << two_plates_text;
+    std::ofstream(folder / "study.prm")
+        << "subsection Study\n  set Title = Two speeds\n  set Scenes = base.prm\n"
+        << "  set Axis 1 = Impact/Speed: 300 m/s | " << second_speed << "\n"
+        << "  set Columns = outcome, exit_speed_m_s, no_such_field\n"
+        << "  set Settings = Time/Final time: 1 us\n"
+        << "  set Pictures = false\n  set Output directory = " << (folder / "results").string()
+        << "\nend\n";
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  return (folder / "study.prm").string();
+}
+
+StudyOptions quiet()
+{
+  StudyOptions options;
+  options.quiet = true;
+  return options;
+}
+
+TEST(Study, TableHasARowPerCaseAndIsNotMadeTwice)
+{
+  const ScratchDirectory scratch;
+  const auto path = write_study(scratch.path(), "400 m/s");
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(run_study(MPI_COMM_WORLD, path, quiet()), 0);
+  EXPECT_TRUE(contains(message_of([&] { run_study(MPI_COMM_WORLD, path, quiet()); }), "--resume"));
+  auto resume   = quiet();
+  resume.resume = true;
+  EXPECT_EQ(run_study(MPI_COMM_WORLD, path, resume), 0);
+  const std::string text = ::testing::internal::GetCapturedStdout();
+  if (rank() != 0)
+    return;
+  const auto lines = split(read_text(scratch.path() / "results" / "study.csv"), '\n');
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0], "case,outcome,exit_speed_m_s,no_such_field,status");
+  EXPECT_TRUE(contains(lines[1], "base__speed_300_m_s,undecided,")) << lines[1];
+  EXPECT_TRUE(contains(lines[2], ",-,finished before")) << lines[2];
+  EXPECT_TRUE(contains(text, "[2/2] base__speed_400_m_s: finished before")) << text;
+}
+
+TEST(Study, AChangedCaseIsRunAgain)
+{
+  const ScratchDirectory scratch;
+  ::testing::internal::CaptureStdout();
+  run_study(MPI_COMM_WORLD, write_study(scratch.path(), "400 m/s"), quiet());
+  auto resume        = quiet();
+  resume.resume      = true;
+  const auto changed = write_study(scratch.path(), "410 m/s");
+  EXPECT_EQ(run_study(MPI_COMM_WORLD, changed, resume), 0);
+  ::testing::internal::GetCapturedStdout();
+  if (rank() != 0)
+    return;
+  const auto lines = split(read_text(scratch.path() / "results" / "study.csv"), '\n');
+  EXPECT_TRUE(contains(lines.at(1), ",finished before")) << lines[1];
+  EXPECT_TRUE(contains(lines.at(2), "speed_410_m_s") && contains(lines[2], ",ok")) << lines[2];
+}
+} // namespace
+} // namespace ricochet

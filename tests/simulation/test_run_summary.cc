@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/simulation/run_summary.h"
+
+#include "support/small_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace ricochet::tests
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+std::string place_of(const SummaryField &field)
+{
+  return field.place + "|" + field.name;
+}
+
+TEST(RunSummary, FieldsAreToldApartAndExplained)
+{
+  std::set<std::string> all;
+  for (const auto &field : summary_fields())
+  {
+    EXPECT_TRUE(all.insert(place_of(field)).second) << place_of(field);
+    EXPECT_FALSE(field.meaning.empty()) << place_of(field);
+  }
+}
+
+TEST(RunSummary, HasWhatTheListOfFieldsSays)
+{
+  Simulation simulation(MPI_COMM_WORLD, two_plates());
+  OutcomeWatch watch(simulation);
+  simulation.compute_forces(true);
+  watch.update();
+  const Totals totals = totals_of(simulation);
+  RunNotes notes;
+  notes.start_momenta = simulation.momenta();
+  notes.positions.push_back(sighting(simulation, watch, 2e-6));
+  const OutcomeVerdict verdict{Outcome::perforate, ExitFace::rear, 2, "a reason"};
+  const Json summary = run_summary({simulation, watch, verdict, totals, notes},
+                                   {{0.1, 1e-6, 2e-6}, {0.2, 3e-6, 4e-6}});
+
+  std::set<std::string> listed, present;
+  for (const auto &field : summary_fields())
+    if (field.place.empty())
+      listed.insert(field.name);
+    else if (field.place == "plate_N_")
+      for (const char *plate : {"plate_1_", "plate_2_"})
+        listed.insert(plate + field.name);
+    else
+    {
+      EXPECT_TRUE(summary.contains(field.place)) << field.place;
+      listed.insert(field.place);
+    }
+  for (const auto &[name, value] : summary.items())
+    present.insert(name);
+  EXPECT_EQ(present, listed);
+
+  EXPECT_EQ(summary["outcome"], "perforate");
+  EXPECT_EQ(summary["exit_face"], "rear");
+  EXPECT_EQ(summary["exit_plate"], 2);
+  EXPECT_EQ(summary["momentum_drift"], 0.);
+  EXPECT_TRUE(summary["on_elements_us"].is_null());
+  EXPECT_DOUBLE_EQ(summary["plate_2_front_damaged_mm2"], 3.);
+  EXPECT_EQ(summary["damaged_boxes_mm"], Json::array({Json::array(), Json::array()}));
+  EXPECT_EQ(summary["positions"][0]["stated_us"], 2.);
+  EXPECT_EQ(summary["positions"][0]["time_us"], 0.);
+  // Plates without elements say no more of their zone.
+  ASSERT_EQ(summary["zones"].size(), 2u);
+  EXPECT_EQ(summary["zones"][0].size(), 2u);
+  EXPECT_EQ(summary["zones"][0]["share_of_volume"], 1.);
+}
+
+TEST(RunSummary, WithoutStatedTimesThereAreNoPositions)
+{
+  Simulation simulation(MPI_COMM_WORLD, two_plates());
+  const OutcomeWatch watch(simulation);
+  const Json summary = run_summary({simulation, watch, {}, {}, {}}, {});
+  EXPECT_FALSE(summary.contains("positions"));
+}
+} // namespace
+} // namespace ricochet::tests
