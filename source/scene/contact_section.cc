@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "law_entries.h"
 #include "ricochet/contact/contact_search.h"
 #include "ricochet/contact/friction_laws.h"
 #include "sections.h"
@@ -7,30 +8,12 @@ namespace ricochet
 {
 namespace
 {
-void add_friction_entries(Section &in, FrictionParameters &friction)
+void add_friction_entries(Section &in, ContactParameters &contact)
 {
-  std::vector<std::string> names, decaying;
-  for (const auto &law : friction_laws())
-  {
-    names.push_back(law.name);
-    if (law.name != std::string(ConstantFriction::name))
-      decaying.push_back(law.name);
-  }
-  const Entry &law = in.required("Friction law", word(friction.law, names), "exponential",
-                                 "Friction coefficient over the sliding speed");
-  in.required("Static friction",
-              quantity(friction.static_coefficient, Dimension::number, Limit::not_negative), "0.5",
-              "Friction coefficient at rest");
-  const Entry &kinetic =
-      in.optional("Kinetic friction",
-                  quantity(friction.kinetic_coefficient, Dimension::number, Limit::not_negative),
-                  "0.05", "Friction coefficient at high speed; not used by the constant law");
-  const Entry &decay = in.optional(
-      "Friction decay", quantity(friction.decay, Dimension::slowness, Limit::not_negative),
-      "0.01 s/m", "Decay of the coefficient with the speed; not used by the constant law");
-  in.all_of({&kinetic, &decay}, {&law, decaying});
+  add_law(in, "Friction law", contact.friction, FrictionLaws(), "exponential",
+          "Friction coefficient over the sliding speed");
   in.with_default("Regularisation speed",
-                  quantity(friction.regularisation_speed, Dimension::speed, Limit::positive),
+                  quantity(contact.regularisation_speed, Dimension::speed, Limit::positive),
                   "5 m/s", "Sliding speed below which the friction falls linearly to zero");
 }
 
@@ -72,7 +55,7 @@ Section contact_section(ContactParameters &contact)
   in.with_default("Stiffness factor",
                   quantity(contact.stiffness_factor, Dimension::number, Limit::positive), "1",
                   "Penalty stiffness per point, in Young's moduli times grid spacing");
-  add_friction_entries(in, contact.friction);
+  add_friction_entries(in, contact);
   add_shank_entries(in, contact);
   add_debris_entries(in, contact);
   in.with_default("Search method", word(contact.search, contact_search_names()), "linked cells",

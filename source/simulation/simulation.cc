@@ -128,7 +128,7 @@ void Simulation::build_projectile()
     parameters.stiffness = contact.stiffness_factor * youngs_modulus(plate->material()) * spacing;
     parameters.shank_force =
         contact.shank_contact_fraction * contact.shank_resistance * spacing * spacing;
-    parameters.regularisation_speed = contact.friction.regularisation_speed;
+    parameters.regularisation_speed = contact.regularisation_speed;
     plate_contacts.push_back({parameters, spacing, plate->lattice().box().n[0]});
     fractures_.emplace_back(*plate, scene_.symmetric);
   }
@@ -145,7 +145,7 @@ void Simulation::build_projectile()
   ShortRangeContact::Friction friction;
   if (contact.debris_friction > 0.)
     friction = {friction_law_.get(), contact.debris_friction,
-                contact.friction.regularisation_speed};
+                contact.regularisation_speed};
   debris_ = std::make_unique<ShortRangeContact>(communicator_, plates_, contact.debris_factor,
                                                 scene_.symmetric, contact.search, friction);
 }

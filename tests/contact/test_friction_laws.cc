@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <type_traits>
 
 namespace ricochet::tests
 {
@@ -14,12 +18,31 @@ class FrictionLawInvariant : public testing::TestWithParam<FrictionParameters>
 };
 
 INSTANTIATE_TEST_SUITE_P(Laws, FrictionLawInvariant, testing::ValuesIn(friction_law_samples),
-                         [](const auto &info) { return camel_case(info.param.law); });
+                         [](const auto &info)
+                         { return camel_case(FrictionLaws::name(info.param)); });
+
+/// The value of the law's constant that parameter files call so; NaN if it has none.
+double constant_called(const std::string &name, const FrictionParameters &parameters)
+{
+  double value = std::numeric_limits<double>::quiet_NaN();
+  FrictionLaws::for_each(
+      [&](const auto *law)
+      {
+        using Law = std::remove_const_t<std::remove_pointer_t<decltype(law)>>;
+        if (const auto *const own = std::get_if<typename Law::Parameters>(&parameters))
+          for (const auto &row : Law::entries)
+            if (row.name == name)
+              value = own->*row.member;
+      });
+  return value;
+}
 
 TEST_P(FrictionLawInvariant, CoefficientStartsAtTheStaticOneAndIsNeverNegative)
 {
-  const auto law = make_friction_law(GetParam());
-  EXPECT_EQ(law->coefficient(0.), GetParam().static_coefficient);
+  const auto law                  = make_friction_law(GetParam());
+  const double static_coefficient = constant_called("Static friction", GetParam());
+  ASSERT_GT(static_coefficient, 0.);
+  EXPECT_EQ(law->coefficient(0.), static_coefficient);
   for (double speed = 0.; speed < 2000.; speed += 10.)
   {
     EXPECT_GE(law->coefficient(speed), 0.);
@@ -29,38 +52,51 @@ TEST_P(FrictionLawInvariant, CoefficientStartsAtTheStaticOneAndIsNeverNegative)
 
 TEST(ExponentialFriction, FallsToTheKineticCoefficient)
 {
-  const auto law = make_friction_law({"exponential", 0.4, 0.05, 0.01, 5.});
+  const ExponentialFriction law({0.4, 0.05, 0.01});
   // mu_inf + (mu_0 - mu_inf) exp(-gamma v)
-  EXPECT_DOUBLE_EQ(law->coefficient(100.), 0.05 + 0.35 * std::exp(-1.));
-  EXPECT_NEAR(law->coefficient(1e4), 0.05, 1e-15);
+  EXPECT_DOUBLE_EQ(law.coefficient(100.), 0.05 + 0.35 * std::exp(-1.));
+  EXPECT_NEAR(law.coefficient(1e4), 0.05, 1e-15);
 }
 
 TEST(HyperbolicFriction, HalfOfTheWayIsLostAtTheInverseDecay)
 {
-  const auto law = make_friction_law({"hyperbolic", 0.5, 0.1, 0.02, 5.});
+  const HyperbolicFriction law({0.5, 0.1, 0.02});
   // mu_inf + (mu_0 - mu_inf)/(1 + gamma v)
-  EXPECT_DOUBLE_EQ(law->coefficient(50.), 0.3);
-  EXPECT_DOUBLE_EQ(law->coefficient(950.), 0.1 + 0.4 / 20.);
+  EXPECT_DOUBLE_EQ(law.coefficient(50.), 0.3);
+  EXPECT_DOUBLE_EQ(law.coefficient(950.), 0.1 + 0.4 / 20.);
 }
 
 TEST(ConstantFriction, DoesNotDependOnTheSpeed)
 {
-  const auto law = make_friction_law({"constant", 0.2, 0.1, 0.5, 5.});
-  EXPECT_EQ(law->coefficient(1e3), 0.2);
+  const ConstantFriction law({0.2});
+  EXPECT_EQ(law.coefficient(1e3), 0.2);
 }
 
-TEST(FrictionLaws, UnknownNameListsTheMenu)
+TEST(FrictionLaws, ParametersSayWhichLawTheyBelongTo)
 {
-  try
-  {
-    make_friction_law({"soap", 0.1, 0.1, 0., 5.});
-    FAIL() << "no error";
-  }
-  catch (const InputError &error)
-  {
-    for (const auto &entry : friction_laws())
-      EXPECT_NE(std::string(error.what()).find(entry.name), std::string::npos) << error.what();
-  }
+  EXPECT_EQ(FrictionLaws::name(HyperbolicFriction::Parameters{0.5, 0.1, 0.02}), "hyperbolic");
+  const auto law = make_friction_law(HyperbolicFriction::Parameters{0.5, 0.1, 0.02});
+  EXPECT_NE(dynamic_cast<const HyperbolicFriction *>(law.get()), nullptr);
+}
+
+/// Laws may share a constant by its name; then it must be the same thing in all of them.
+TEST(FrictionLaws, SharedConstantsAreTheSameInAllLaws)
+{
+  std::map<std::string, std::string> meaning;
+  std::map<std::string, std::pair<Dimension, Limit>> kind;
+  FrictionLaws::for_each(
+      [&](const auto *law)
+      {
+        using Law = std::remove_const_t<std::remove_pointer_t<decltype(law)>>;
+        for (const auto &row : Law::entries)
+        {
+          EXPECT_EQ(meaning.try_emplace(row.name, row.meaning).first->second, row.meaning)
+              << Law::name;
+          const std::pair own(row.dimension, row.limit);
+          EXPECT_EQ(kind.try_emplace(row.name, own).first->second, own) << Law::name;
+        }
+      });
+  EXPECT_GE(meaning.size(), 3U); // static, kinetic, decay
 }
 } // namespace
 } // namespace ricochet::tests

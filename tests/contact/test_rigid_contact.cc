@@ -10,8 +10,8 @@ namespace
 {
 constexpr double dx = 1e-3;
 
-const FrictionParameters constant_friction{"constant", 0.2, 0., 0., 5.};
-const FrictionParameters no_friction{"constant", 0., 0., 0., 5.};
+const ConstantFriction::Parameters constant_friction{0.2};
+const ConstantFriction::Parameters no_friction{0.};
 
 /// A block of points whose upper layer has its centres at z = -dx/2: the upper face is z = 0, as
 /// for a plate.
@@ -141,7 +141,7 @@ TEST(RigidContact, FrictionOpposesSlidingAndFallsLinearlyBelowTheRegularisationS
     const BodyOfRevolution cylinder({NoseShape::flat, 40. * dx, 10. * dx, 0.});
     auto motion        = at({0., 0., 5. * dx - 0.2 * dx});
     motion.orientation = Eigen::AngleAxisd(M_PI / 2., Vector3::UnitY());
-    RigidContact contact(MPI_COMM_SELF, *law, {3e6, 0., friction.regularisation_speed}, false, 4);
+    RigidContact contact(MPI_COMM_SELF, *law, {3e6, 0., 5.}, false, 4);
     const Vector3 direction = Vector3(3., -4., 0.) / 5.;
     for (const double speed : {0., 1e-3, 2.5, 5., 50., 500.})
     {
@@ -151,7 +151,7 @@ TEST(RigidContact, FrictionOpposesSlidingAndFallsLinearlyBelowTheRegularisationS
       const double mu        = law->coefficient(speed);
       const Vector3 expected = -mu * reaction.normal.z() * std::min(1., speed / 5.) * direction;
       EXPECT_LT((reaction.friction - expected).norm(), 1e-12 * reaction.normal.norm())
-          << friction.law << " at " << speed;
+          << FrictionLaws::name(friction) << " at " << speed;
     }
   }
 }
@@ -223,7 +223,7 @@ TEST(RigidContact, BlockSlidingOnAFlatFaceStopsWhereCoulombSays)
   const RigidBody ground(cylinder, 1., motion, false);
 
   const double mu = 0.2, v0 = 10., g = 3e4;
-  const auto law = make_friction_law({"constant", mu, 0., 0., 0.});
+  const auto law = make_friction_law(ConstantFriction::Parameters{mu});
   const double k = youngs_modulus(block->material()) * dx;
   RigidContact contact(MPI_COMM_SELF, *law, {k, 0., /*regularisation_speed=*/0.02 * v0}, false, 6);
   const double depth = 3. * block->point_mass() * g / k; // three layers rest on each spring
@@ -280,7 +280,7 @@ struct BallOnBed
           sample.corner.x() = -20. * dx;
           return sample;
         }())),
-    law(make_friction_law({"constant", mu, 0., 0., 0.})),
+    law(make_friction_law(ConstantFriction::Parameters{mu})),
     contact(MPI_COMM_SELF, *law, {stiffness, 0., regularisation_speed}, false, n_along),
     ball(BodyOfRevolution({NoseShape::sphere, 2. * R, 0., 0.}), mass,
          {start, velocity, Eigen::Quaterniond::Identity(), Vector3::Zero()}, false)

@@ -328,7 +328,7 @@ struct Pair
 
 TEST(ShortRangeContact, PointsOfTwoBodiesRubByTheStatedLaw)
 {
-  const ExponentialFriction law({"exponential", 0.5, 0.05, 0.01, 5.});
+  const ExponentialFriction law({0.5, 0.05, 0.01});
   const double factor = 0.8, v_reg = 5., dt = 1e-9; // too short to be stopped in
   Pair pair({&law, factor, v_reg});
   const double f_n = 0.15 * dx * pair_stiffness(*pair.bodies[0], 1.); // 1.35 dx - 1.2 dx
@@ -350,7 +350,7 @@ TEST(ShortRangeContact, PointsOfTwoBodiesRubByTheStatedLaw)
 
 TEST(ShortRangeContact, FrictionNeverDrivesPointsBack)
 {
-  const ConstantFriction law({"constant", 100., 0., 0., 1.});
+  const ConstantFriction law({100.});
   Pair pair({&law, 1., 1.}, /*second_density=*/5000.);
   auto &a = pair.bodies[0]->state().arrays, &b = pair.bodies[1]->state().arrays;
   set(b.velocity, pair.q, Vector3(10. * pair.along));
@@ -370,7 +370,7 @@ TEST(ShortRangeContact, FrictionNeverDrivesPointsBack)
 
 TEST(ShortRangeContact, HeatOfFrictionIsTheEnergyThatACollisionLoses)
 {
-  const ConstantFriction law({"constant", 0.3, 0., 0., 1.});
+  const ConstantFriction law({0.3});
   Bodies bodies;
   bodies.push_back(one_point(0, {0., 0., 0.}));
   bodies.push_back(one_point(1, {3. * dx, 0., 0.}));

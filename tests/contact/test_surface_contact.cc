@@ -114,7 +114,7 @@ TEST(SurfaceContact, ForcesAndMomentsOnPointsAndNodesCancel)
 TEST(SurfaceContact, NormalForcesAreTheGradientOfTheStoredEnergy)
 {
   Ploughing scene;
-  const auto law    = make_friction_law({"constant", 0., 0., 0., 5.});
+  const auto law    = make_friction_law(ConstantFriction::Parameters{0.});
   auto contact      = make_contact(*law, 0., scene);
   const auto energy = [&]
   {
@@ -169,7 +169,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   // Power of friction on points and nodes together is - mu f |v_t| at every touch: negative, and as
   // large as the same contact has on a rigid core of the same motion, up to the facets.
   Ploughing scene(3);
-  const auto law   = make_friction_law({"constant", 0.2, 0., 0., 5.});
+  const auto law   = make_friction_law(ConstantFriction::Parameters{0.2});
   const auto power = [&](const double shank)
   {
     scene.clear();
@@ -183,7 +183,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
     for_each_point(*scene.plate,
                    [&](const std::ptrdiff_t p) { total.push_back(force(*scene.plate, p)); });
     scene.clear();
-    const auto none = make_friction_law({"constant", 0., 0., 0., 5.});
+    const auto none = make_friction_law(ConstantFriction::Parameters{0.});
     auto without    = make_contact(*none, 0., scene);
     without.evaluate(scene.body, scene.surface, scene.centre, *scene.plate);
     std::size_t point = 0;
@@ -210,7 +210,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   for_each_point(*scene.plate,
                  [&](const std::ptrdiff_t p) { total.push_back(force(*scene.plate, p)); });
   scene.clear();
-  const auto none = make_friction_law({"constant", 0., 0., 0., 5.});
+  const auto none = make_friction_law(ConstantFriction::Parameters{0.});
   RigidContact without(MPI_COMM_SELF, *none, {5e6, 0., 5.}, false, 30);
   without.evaluate(rigid, *scene.plate);
   std::size_t point = 0;
@@ -231,7 +231,7 @@ TEST(SurfaceContact, AgreesWithTheRigidShapeWhenTheFacetsAreFine)
     Ploughing scene(refinement);
     scene.body.set_motion(scene.body.rigid_motion()); // without the shaking of its nodes
     scene.surface.update(scene.body.position(), 1.5 * dx);
-    const auto law      = make_friction_law({"constant", 0.2, 0., 0., 5.});
+    const auto law      = make_friction_law(ConstantFriction::Parameters{0.2});
     auto contact        = make_contact(*law, 0., scene);
     const auto reaction = contact.evaluate(scene.body, scene.surface, scene.centre, *scene.plate);
     auto motion         = scene.body.rigid_motion();

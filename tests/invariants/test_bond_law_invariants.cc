@@ -281,10 +281,10 @@ TEST(LawTable, NamesEveryBondLawAndEveryFrictionLawOfTheMenus)
   EXPECT_EQ(menu, table);
   menu.clear();
   table.clear();
-  for (const auto &entry : friction_laws())
-    menu.insert(entry.name);
+  for (const auto &name : FrictionLaws::names())
+    menu.insert(name);
   for (const auto &sample : friction_law_samples)
-    table.insert(sample.law);
+    table.insert(FrictionLaws::name(sample));
   EXPECT_EQ(menu, table);
 }
 } // namespace

@@ -84,7 +84,8 @@ TEST_F(StudyFile, AxesMayBeVariedOneAtATime)
                    "two", "two__speed_700_m_s", "two__speed_800_m_s", "two__static_friction_0.3"}));
   const Scene scene = read_scene(ParameterFile(read.cases[3].scene_file, read.cases[3].overrides));
   EXPECT_NE(scene.impact.speed, 800.);
-  EXPECT_DOUBLE_EQ(scene.contact.friction.static_coefficient, 0.3);
+  EXPECT_DOUBLE_EQ(
+      std::get<ExponentialFriction::Parameters>(scene.contact.friction).static_coefficient, 0.3);
   expect_study_error("set Scenes = scenes/one.prm\nset Combine = one\n",
                      {"study.prm:3", "one at a time"});
 }
@@ -110,8 +111,9 @@ TEST_F(StudyFile, AxisMayChangeSeveralEntriesTogether)
             "set Axis 1 = Contact/Static friction, Contact/Kinetic friction: 0.1 | 0.2\n");
   EXPECT_EQ(case_names(read), (Names{"one__static_friction_0.1", "one__static_friction_0.2"}));
   const Scene scene = read_scene(ParameterFile(read.cases[1].scene_file, read.cases[1].overrides));
-  EXPECT_DOUBLE_EQ(scene.contact.friction.static_coefficient, 0.2);
-  EXPECT_DOUBLE_EQ(scene.contact.friction.kinetic_coefficient, 0.2);
+  const auto &friction = std::get<ExponentialFriction::Parameters>(scene.contact.friction);
+  EXPECT_DOUBLE_EQ(friction.static_coefficient, 0.2);
+  EXPECT_DOUBLE_EQ(friction.kinetic_coefficient, 0.2);
 }
 
 TEST_F(StudyFile, AxisMayGiveEachOfItsEntriesItsOwnValue)

@@ -30,11 +30,10 @@ Scene airy(Scene scene)
 /// Plates that never break.
 Scene unbreakable_plate(Scene scene)
 {
-  scene.materials[0].critical_stretch        = 10.;
-  scene.contact.friction.static_coefficient  = 0.;
-  scene.contact.friction.kinetic_coefficient = 0.;
-  scene.contact.shank_resistance             = 0.;
-  scene.time.free_time                       = 2. * us;
+  scene.materials[0].critical_stretch = 10.;
+  scene.contact.friction              = ConstantFriction::Parameters{0.};
+  scene.contact.shank_resistance      = 0.;
+  scene.time.free_time                = 2. * us;
   return scene;
 }
 

@@ -109,10 +109,9 @@ TEST(Simulation, TrajectoryConvergesInTheTimeStepAtSecondOrder)
 {
   // Unbroken and without friction: sliding friction sees the velocity of half a step ago, which is
   // first order.
-  Scene scene                                = symmetric(small_scene());
-  scene.materials[0].critical_stretch        = 10.;
-  scene.contact.friction.static_coefficient  = 0.;
-  scene.contact.friction.kinetic_coefficient = 0.;
+  Scene scene                         = symmetric(small_scene());
+  scene.materials[0].critical_stretch = 10.;
+  scene.contact.friction              = ConstantFriction::Parameters{0.};
   Vector3 position[4];
   for (const int halving : {0, 1, 2, 3})
   {

@@ -77,8 +77,8 @@ inline std::string name_of(const InfluenceFunction function)
 }
 
 inline const std::vector<FrictionParameters> friction_law_samples{
-    {"exponential", 0.4, 0.05, 0.01, 5.},
-    {"constant", 0.2, 0., 0., 5.},
-    {"hyperbolic", 0.5, 0.1, 0.02, 5.},
+    ExponentialFriction::Parameters{0.4, 0.05, 0.01},
+    ConstantFriction::Parameters{0.2},
+    HyperbolicFriction::Parameters{0.5, 0.1, 0.02},
 };
 } // namespace ricochet::tests

@@ -33,7 +33,7 @@ Impact collide(HexahedralBody &bar, PeridynamicBody &target, const bool moves,
                const double safety)
 {
   const double v = 10., spacing = target.lattice().box().spacing;
-  const auto law = make_friction_law({"constant", 0., 0., 0., 5.});
+  const auto law = make_friction_law(ConstantFriction::Parameters{0.});
   FacetedSurface surface(surface_of(bar.solid()));
   SurfaceContact contact(MPI_COMM_SELF, *law, {stiffness, 0., 5.}, false,
                          target.lattice().box().n[0], std::vector<char>(surface.faces().size(), 0));

@@ -61,7 +61,7 @@ TEST(BrittleDisk, KeepsItsSymmetryAndBreaksEvenly)
   auto &disk = *bodies[0];
   EXPECT_EQ(disk.lattice().n_owned_points(), 103110); // stated there
 
-  const auto law = make_friction_law({"constant", 0., 0., 0., 1.});
+  const auto law = make_friction_law(ConstantFriction::Parameters{0.});
   RigidContact contact(MPI_COMM_SELF, *law, {youngs_modulus(disk.material()) * dx, 0., 1.}, false,
                        n_across);
   ShortRangeContact debris(MPI_COMM_SELF, bodies, 15., false);

@@ -31,7 +31,7 @@ TEST(Hertz, SteelBallOnPmmaHasTheForceDurationAndReturnOfTheory)
   const double force    = 4. / 3. * E_star * std::sqrt(R) * std::pow(approach, 1.5);
   const double duration = 2.943 * approach / v;
 
-  const auto law         = make_friction_law({"constant", 0., 0., 0., 1.});
+  const auto law         = make_friction_law(ConstantFriction::Parameters{0.});
   // Stiff springs: with k = E dx they alone would give way by a twentieth of the approach.
   const double stiffness = 8. * E * dx;
   RigidContact contact(MPI_COMM_SELF, *law, {stiffness, 0., 1.}, true, sample.n[0]);

@@ -33,7 +33,7 @@ double stopping_distance(const double mu)
   for_each_point(
       sliding, [&](const std::ptrdiff_t p)
       { set(a.position, p, reference(sliding, p) + Vector3(20.5 * dx, 0.5 * dx, 0.2 * dx)); });
-  const ConstantFriction law({"constant", mu, 0., 0., 1.});
+  const ConstantFriction law({mu});
   ShortRangeContact contact(MPI_COMM_SELF, bodies, 15., false, "linked cells",
                             {&law, 1., 0.02 * speed});
 

@@ -11,10 +11,15 @@ class ConstantFriction : public FrictionLaw
 public:
   static constexpr const char *name = "constant";
 
-  explicit ConstantFriction(const FrictionParameters &parameters) :
-    mu_0(parameters.static_coefficient)
+  struct Parameters
   {
-  }
+    double static_coefficient; // mu_0 [-]
+  };
+
+  static constexpr EntryRow<Parameters> entries[] = {
+      static_friction(&Parameters::static_coefficient)};
+
+  explicit ConstantFriction(const Parameters &parameters) : mu_0(parameters.static_coefficient) {}
 
   double coefficient(double) const override { return mu_0; }
 

@@ -2,51 +2,23 @@
 // The menu of friction laws: one line each.
 #pragma once
 
-#include "ricochet/base/exceptions.h"
+#include "ricochet/base/law_list.h"
 #include "ricochet/contact/constant_friction.h"
 #include "ricochet/contact/exponential_friction.h"
 #include "ricochet/contact/hyperbolic_friction.h"
 
-#include <memory>
-#include <vector>
-
 namespace ricochet
 {
-struct FrictionLawEntry
-{
-  const char *name;
-  std::unique_ptr<FrictionLaw> (*make)(const FrictionParameters &);
-};
+using FrictionLaws = LawList<FrictionLaw,         //
+                             ExponentialFriction, //
+                             ConstantFriction,    //
+                             HyperbolicFriction>;
 
-template <class Law>
-FrictionLawEntry friction_law_entry()
-{
-  return {Law::name, [](const FrictionParameters &parameters) -> std::unique_ptr<FrictionLaw> {
-            return std::make_unique<Law>(parameters);
-          }};
-}
+/// The constants of one law, ConstantFriction::Parameters{0.2}.
+using FrictionParameters = FrictionLaws::Parameters;
 
-inline const std::vector<FrictionLawEntry> &friction_laws()
-{
-  static const std::vector<FrictionLawEntry> laws{
-      friction_law_entry<ExponentialFriction>(),
-      friction_law_entry<ConstantFriction>(),
-      friction_law_entry<HyperbolicFriction>(),
-  };
-  return laws;
-}
-
-/// The law called parameters.law. Throws InputError for an unknown name.
 inline std::unique_ptr<FrictionLaw> make_friction_law(const FrictionParameters &parameters)
 {
-  std::string known;
-  for (const auto &law : friction_laws())
-  {
-    if (parameters.law == law.name)
-      return law.make(parameters);
-    known += (known.empty() ? "" : ", ") + std::string(law.name);
-  }
-  throw InputError("There is no friction law '" + parameters.law + "'; choose one of: " + known +
-                   ".");
+  return FrictionLaws::make(parameters);
 }
 } // namespace ricochet

@@ -13,7 +13,18 @@ class HyperbolicFriction : public FrictionLaw
 public:
   static constexpr const char *name = "hyperbolic";
 
-  explicit HyperbolicFriction(const FrictionParameters &parameters) :
+  struct Parameters
+  {
+    double static_coefficient;  // mu_0, at rest [-]
+    double kinetic_coefficient; // mu_inf, at high speed [-]
+    double decay;               // gamma [s/m]
+  };
+
+  static constexpr EntryRow<Parameters> entries[] = {
+      static_friction(&Parameters::static_coefficient),
+      kinetic_friction(&Parameters::kinetic_coefficient), friction_decay(&Parameters::decay)};
+
+  explicit HyperbolicFriction(const Parameters &parameters) :
     mu_0(parameters.static_coefficient), mu_inf(parameters.kinetic_coefficient),
     gamma(parameters.decay)
   {

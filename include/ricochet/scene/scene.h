@@ -4,7 +4,7 @@
 // up; the first plate's upper face is z = 0, its near edge x = 0.
 #pragma once
 
-#include "ricochet/contact/friction_law.h"
+#include "ricochet/contact/friction_laws.h"
 #include "ricochet/coupling/coupling_method.h"
 #include "ricochet/geometry/body_of_revolution.h"
 #include "ricochet/geometry/hex_solid.h"
@@ -100,7 +100,8 @@ struct ImpactParameters
 struct ContactParameters
 {
   double stiffness_factor;       // k = factor * E * dx per point [-]
-  FrictionParameters friction;   // projectile on plate
+  FrictionParameters friction;   // law of the projectile on the plates, with its constants
+  double regularisation_speed;   // below it the friction falls linearly to zero [m/s]
   double shank_resistance;       // A, target resistance on the shank [Pa]
   double shank_contact_fraction; // k, 0 switches shank friction off [-]
   double debris_factor;        // of the short-range stiffness 18 K/(pi delta^4), 0 switches off [-]
