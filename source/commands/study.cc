@@ -9,7 +9,6 @@
 #include "ricochet/output/result_directory.h"
 #include "ricochet/output/table.h"
 #include "ricochet/scene/scene_reader.h"
-#include "ricochet/scene/stability_reader.h"
 #include "ricochet/scene/study_file.h"
 #include "run.h"
 #include "stability_run.h"
@@ -50,7 +49,7 @@ Json finished_summary(const MPI_Comm communicator, const StudyCase &c,
   if (rank_in(communicator) == 0)
   {
     std::ostringstream used;
-    write_used_parameters(ParameterFile(c.scene_file, c.overrides), used);
+    write_used_parameters(c.file, used);
     summary =
         Json::parse(read_text(directory / "summary.json"), nullptr, /*allow_exceptions=*/false);
     finished = summary.is_object() && !summary.value("failed", true) &&
@@ -59,11 +58,6 @@ Json finished_summary(const MPI_Comm communicator, const StudyCase &c,
   }
   MPI_Bcast(&finished, 1, MPI_INT, 0, communicator);
   return finished ? (summary.is_object() ? summary : Json::object()) : Json();
-}
-
-bool is_experiment(const StudyCase &c)
-{
-  return is_stability_file(ParameterFile(c.scene_file, c.overrides));
 }
 
 void write_comparison(const StudyParameters &study, const std::vector<Json> &summaries,
@@ -101,8 +95,9 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
   on_first_rank(communicator, [&] { make_directory(directory); });
 
   // A map of stability if every case is an experiment; experiments and scenes do not share columns.
-  const auto &cases         = parameters.cases;
-  const bool is_map         = std::all_of(cases.begin(), cases.end(), is_experiment);
+  const auto &cases = parameters.cases;
+  const bool is_map =
+      std::all_of(cases.begin(), cases.end(), [](const StudyCase &c) { return c.is_experiment; });
   const auto &usual_columns = is_map ? stability_columns : default_columns;
   const auto &chosen        = parameters.columns.empty() ? usual_columns : parameters.columns;
   std::vector<std::string> columns{"case"};
@@ -126,8 +121,7 @@ int study(const MPI_Comm communicator, const std::string &path, const StudyOptio
         RunOptions run_options;
         run_options.force = true; // an unfinished run of an earlier try may lie there
         run_options.quiet = options.quiet;
-        const ParameterFile file(c.scene_file, c.overrides);
-        summary = (is_experiment(c) ? run_stability : run)(communicator, file, run_options);
+        summary = (c.is_experiment ? run_stability : run)(communicator, c.file, run_options);
         status  = summary.value("interrupted", false) ? "interrupted" : "ok";
       }
       catch (const Error &error)

@@ -18,6 +18,14 @@ namespace
 {
 namespace fs = std::filesystem;
 
+/// A case before its file is read.
+struct Plan
+{
+  std::string name, scene_file, scene;
+  std::vector<ParameterEntry> overrides = {};
+  std::vector<std::size_t> values       = {}; // of every axis in turn
+};
+
 /// "grid_spacing", with its section in front if another axis has an entry of the same name.
 std::string short_name(const StudyAxis &axis, const std::vector<StudyAxis> &axes)
 {
@@ -34,16 +42,16 @@ std::string value_name(const std::size_t axis, const std::size_t value,
   return short_name(axes[axis], axes) + "_" + file_name_of(axes[axis].values[value]);
 }
 
-std::vector<StudyCase> cases_of(const std::string &scene, const std::vector<StudyAxis> &axes)
+std::vector<Plan> cases_of(const std::string &scene, const std::vector<StudyAxis> &axes)
 {
-  std::vector<StudyCase> cases{{scene_name(scene), scene, {}, scene_name(scene), {}}};
+  std::vector<Plan> cases{{scene_name(scene), scene, scene_name(scene)}};
   for (std::size_t a = 0; a < axes.size(); ++a)
   {
-    std::vector<StudyCase> finer;
+    std::vector<Plan> finer;
     for (const auto &coarse : cases)
       for (std::size_t v = 0; v < axes[a].values.size(); ++v)
       {
-        StudyCase next = coarse;
+        Plan next = coarse;
         next.name += "__" + value_name(a, v, axes);
         next.values.push_back(v);
         const auto parts = split(axes[a].values[v], ';');
@@ -60,17 +68,16 @@ std::vector<StudyCase> cases_of(const std::string &scene, const std::vector<Stud
 }
 
 /// The scene itself, then with one value of one axis at a time.
-std::vector<StudyCase> single_changes_of(const std::string &scene,
-                                         const std::vector<StudyAxis> &axes)
+std::vector<Plan> single_changes_of(const std::string &scene, const std::vector<StudyAxis> &axes)
 {
-  std::vector<StudyCase> cases = cases_of(scene, {});
+  std::vector<Plan> cases = cases_of(scene, {});
   for (const auto &axis : axes)
     for (auto &next : cases_of(scene, {axis}))
       cases.push_back(std::move(next));
   return cases;
 }
 
-void check_names(const Entry &scenes, const std::vector<StudyCase> &cases)
+void check_names(const Entry &scenes, const std::vector<Plan> &cases)
 {
   for (auto one = cases.begin(); one != cases.end(); ++one)
     for (auto other = cases.begin(); other != one; ++other)
@@ -82,23 +89,27 @@ void check_names(const Entry &scenes, const std::vector<StudyCase> &cases)
                               in_quotes(other->scene_file) + ".");
 }
 
-void check_case(const StudyCase &one, const bool is_compared)
+/// Reads the file of a case, and all that it says.
+StudyCase read_case(const Plan &plan, const bool is_compared)
 {
   try
   {
-    const ParameterFile file(one.scene_file, one.overrides);
-    if (is_stability_file(file) && is_compared)
-      throw InputError(one.scene_file + ": A stability experiment has no path and cannot be "
-                                        "compared with a reference.\n  Remove 'Study/Reference'.");
-    if (is_stability_file(file))
-      read_stability(file);
+    StudyCase one{plan.name, plan.scene, plan.values,
+                  ParameterFile(plan.scene_file, plan.overrides), false};
+    one.is_experiment = is_stability_file(one.file);
+    if (one.is_experiment && is_compared)
+      throw InputError(plan.scene_file + ": A stability experiment has no path and cannot be "
+                                         "compared with a reference.\n  Remove 'Study/Reference'.");
+    if (one.is_experiment)
+      read_stability(one.file);
     else
-      read_scene(file);
+      read_scene(one.file);
+    return one;
   }
   catch (const InputError &error) // the scene does not know that it is part of a study
   {
     throw InputError(std::string(error.what()) + "\n  This concerns the study's case " +
-                     in_quotes(one.name) + ".");
+                     in_quotes(plan.name) + ".");
   }
 }
 } // namespace
@@ -122,6 +133,7 @@ StudyParameters read_study(const std::string &path)
   sections.push_back(study_section(stem_of(file), study, settings));
   read_and_check_sections(file, sections);
 
+  std::vector<Plan> plans;
   for (const auto &scene : settings.scenes)
   {
     study.scenes.push_back((fs::path(path).parent_path() / scene).lexically_normal().string());
@@ -130,19 +142,20 @@ StudyParameters read_study(const std::string &path)
                                 "The scenes are relative to the study's own file.");
     for (auto &next : study.one_at_a_time ? single_changes_of(study.scenes.back(), study.axes)
                                           : cases_of(study.scenes.back(), study.axes))
-      study.cases.push_back(std::move(next));
+      plans.push_back(std::move(next));
   }
-  check_names(*settings.scenes_row, study.cases);
+  check_names(*settings.scenes_row, plans);
   if (!study.reference.empty())
-    std::stable_sort(study.cases.begin(), study.cases.end(),
+    std::stable_sort(plans.begin(), plans.end(),
                      [](const auto &a, const auto &b) { return a.values < b.values; });
 
-  for (auto &one : study.cases)
+  for (auto &plan : plans)
   {
-    one.overrides.insert(one.overrides.end(), settings.overrides.begin(), settings.overrides.end());
-    one.overrides.push_back({"Output", "Directory", study.output_directory + "/" + one.name,
-                             settings.directory_row->origin()});
-    check_case(one, !study.reference.empty());
+    plan.overrides.insert(plan.overrides.end(), settings.overrides.begin(),
+                          settings.overrides.end());
+    plan.overrides.push_back({"Output", "Directory", study.output_directory + "/" + plan.name,
+                              settings.directory_row->origin()});
+    study.cases.push_back(read_case(plan, !study.reference.empty()));
   }
   return study;
 }

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 namespace ricochet
@@ -14,13 +13,6 @@ namespace ricochet
 namespace
 {
 const std::filesystem::path prm_folder = std::filesystem::path(RICOCHET_SOURCE_DIR) / "prm";
-
-bool is_study(const std::string &path)
-{
-  const auto sections = ParameterFile(path).sections();
-  return std::any_of(sections.begin(), sections.end(),
-                     [](const auto &section) { return section.name == "Study"; });
-}
 
 /// Whether it has nothing but a section Material.
 bool is_material(const std::string &path)
@@ -36,7 +28,7 @@ TEST(PrmFiles, EveryFileIsReadWithoutError)
     if (entry.path().extension() == ".prm")
     {
       const std::string path = entry.path().string();
-      if (is_study(path))
+      if (is_study_file(ParameterFile(path)))
       {
         ++n_studies;
         EXPECT_NO_THROW(read_study(path)) << path;
@@ -127,7 +119,7 @@ TEST(PrmFiles, CoupledStudiesCompareEnsemblesWithPeridynamicsThroughout)
     EXPECT_GE(study.axes.back().values.size(), 4U) << name;
     for (const auto &one : study.cases) // what is timed writes no pictures and no fields
     {
-      const Scene scene = read_scene(ParameterFile(one.scene_file, one.overrides));
+      const Scene scene = read_scene(one.file);
       EXPECT_FALSE(scene.output.pictures || scene.output.vtu) << one.name;
       EXPECT_EQ(scene.output.frame_interval, 0.) << one.name;
     }

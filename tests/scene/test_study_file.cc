@@ -56,7 +56,7 @@ TEST_F(StudyFile, CasesAreScenesTimesAxes)
              "two__grid_spacing_2.0_mm__speed_0.5_mm_us",
              "two__grid_spacing_2.0_mm__speed_800_m_s"}));
   const auto &last  = read.cases.back();
-  const Scene scene = read_scene(ParameterFile(last.scene_file, last.overrides));
+  const Scene scene = read_scene(last.file);
   EXPECT_DOUBLE_EQ(scene.plates[0].spacing, 2e-3);
   EXPECT_DOUBLE_EQ(scene.impact.speed, 800.);
   EXPECT_EQ(scene.output.directory, "output/study/" + last.name);
@@ -82,7 +82,7 @@ TEST_F(StudyFile, AxesMayBeVariedOneAtATime)
   EXPECT_EQ(case_names(read),
             (Names{"one", "one__speed_700_m_s", "one__speed_800_m_s", "one__static_friction_0.3",
                    "two", "two__speed_700_m_s", "two__speed_800_m_s", "two__static_friction_0.3"}));
-  const Scene scene = read_scene(ParameterFile(read.cases[3].scene_file, read.cases[3].overrides));
+  const Scene scene = read_scene(read.cases[3].file);
   EXPECT_NE(scene.impact.speed, 800.);
   EXPECT_DOUBLE_EQ(
       std::get<ExponentialFriction::Parameters>(scene.contact.friction).static_coefficient, 0.3);
@@ -110,7 +110,7 @@ TEST_F(StudyFile, AxisMayChangeSeveralEntriesTogether)
       study("set Scenes = scenes/one.prm\n"
             "set Axis 1 = Contact/Static friction, Contact/Kinetic friction: 0.1 | 0.2\n");
   EXPECT_EQ(case_names(read), (Names{"one__static_friction_0.1", "one__static_friction_0.2"}));
-  const Scene scene = read_scene(ParameterFile(read.cases[1].scene_file, read.cases[1].overrides));
+  const Scene scene    = read_scene(read.cases[1].file);
   const auto &friction = std::get<ExponentialFriction::Parameters>(scene.contact.friction);
   EXPECT_DOUBLE_EQ(friction.static_coefficient, 0.2);
   EXPECT_DOUBLE_EQ(friction.kinetic_coefficient, 0.2);
@@ -122,7 +122,7 @@ TEST_F(StudyFile, AxisMayGiveEachOfItsEntriesItsOwnValue)
   const auto read          = study(scenes + "set Axis 1 = Impact/Speed, Impact/Incidence angle: "
                                                      "700 m/s; 45 deg | 800 m/s; 30 deg\n");
   EXPECT_EQ(case_names(read), (Names{"one__speed_700_m_s_45_deg", "one__speed_800_m_s_30_deg"}));
-  const Scene scene = read_scene(ParameterFile(read.cases[0].scene_file, read.cases[0].overrides));
+  const Scene scene = read_scene(read.cases[0].file);
   EXPECT_DOUBLE_EQ(scene.impact.speed, 700.);
   EXPECT_NEAR(scene.impact.incidence_angle, std::acos(-1.) / 4., 1e-12);
   expect_study_error(scenes + "set Axis 1 = Impact/Speed: 700 m/s; 45 deg\n",
@@ -137,7 +137,7 @@ TEST_F(StudyFile, SettingsHoldInAllCases)
   EXPECT_EQ(case_names(read), (Names{"one", "two"}));
   for (const auto &one : read.cases)
   {
-    const Scene scene = read_scene(ParameterFile(one.scene_file, one.overrides));
+    const Scene scene = read_scene(one.file);
     EXPECT_DOUBLE_EQ(scene.impact.speed, 650.);
     EXPECT_FALSE(scene.output.pictures);
   }
@@ -244,6 +244,27 @@ TEST_F(StudyFile, EveryCaseIsReadBeforeTheFirstRuns)
   expect_study_error(
       scenes + "set Axis 1 = Plate 1/Horizon ratio: 3 | 1\n",
       {"study.prm:3 (Axis 1)", "A horizon under 2 spacings", "'one__horizon_ratio_1'"});
+}
+
+TEST_F(StudyFile, CasesHoldWhatHasBeenRead)
+{
+  folder.write("scenes/noise.prm", "subsection Stability\nend\n");
+  const auto read = study("set Scenes = scenes/one.prm, scenes/noise.prm\n");
+  EXPECT_FALSE(read.cases[0].is_experiment);
+  EXPECT_TRUE(read.cases[1].is_experiment);
+  folder.write("scenes/one.prm", "no longer a scene\n"); // nobody looks again
+  EXPECT_EQ(read_scene(read.cases[0].file).output.directory, "output/study/one");
+}
+
+TEST_F(StudyFile, EntriesStandInTheSection)
+{
+  expect_error(
+      [&]
+      {
+        read_study(folder.write("top.prm", "set Title = x\nsubsection Study\n"
+                                           "set Scenes = scenes/one.prm\nend\n"));
+      },
+      {"top.prm:1", "no entry 'Title' outside the sections", "'Study/Title'"});
 }
 
 TEST_F(StudyFile, SceneIsNotAStudy)

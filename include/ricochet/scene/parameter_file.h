@@ -41,6 +41,9 @@ std::vector<ParameterEntry> parse_overrides(const std::vector<std::string> &text
 class ParameterFile
 {
 public:
+  /// A file without entries.
+  ParameterFile() = default;
+
   /**
    * Reads the file and all that it includes, then applies the overrides.
    * Throws FileError if a file cannot be read; InputError with file and line for a line that is
@@ -59,8 +62,6 @@ public:
   const std::vector<ParameterSection> &sections() const { return sections_; }
 
 private:
-  ParameterFile() = default;
-
   std::string path_;
   std::vector<ParameterEntry> entries_;    // every entry once
   std::vector<ParameterSection> sections_; // in order of first appearance, also empty ones

@@ -30,11 +30,11 @@ struct StudyAxis
 
 struct StudyCase
 {
-  std::string name;                      // "angle_10__grid_spacing_1.5_mm", also its folder
-  std::string scene_file;                // for ParameterFile, together with
-  std::vector<ParameterEntry> overrides; // the axes' values and the case's own output folder
-  std::string scene;                     // "angle_10"
-  std::vector<std::size_t> values;       // of every axis in turn, the number of its value
+  std::string name;                // "angle_10__grid_spacing_1.5_mm", also its folder
+  std::string scene;               // "angle_10"
+  std::vector<std::size_t> values; // of every axis in turn, the number of its value
+  ParameterFile file; // the scene with the axes' values and the case's own output folder
+  bool is_experiment; // of stability, for read_stability instead of read_scene
 };
 
 struct StudyParameters
