@@ -8,7 +8,7 @@
 #include "mesh.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/output/collective.h"
-#include "ricochet/scene/scene_reader.h"
+#include "ricochet/scene/parameter_template.h"
 #include "ricochet/scene/stability_reader.h"
 #include "run.h"
 #include "several_processes.h"
@@ -42,6 +42,7 @@ struct Arguments
   SearchBenchOptions search;
   int n_processes = 1; // read by start_processes()
   MeshOptions mesh;
+  bool schema = false;
 };
 
 ParameterFile parameter_file(const Arguments &arguments)
@@ -160,7 +161,8 @@ void declare(CLI::App &app, Arguments &arguments)
   search->add_option("--plot", arguments.search.picture,
                      "draw seconds over points into this PNG; the rows go beside it, as .jsonl");
 
-  app.add_subcommand("template", "print a commented parameter file");
+  auto *entries = app.add_subcommand("template", "print a commented parameter file");
+  entries->add_flag("--json", arguments.schema, "all entries as one JSON object, for editors");
 }
 
 int execute(const CLI::App &app, const Arguments &arguments)
@@ -194,7 +196,7 @@ int execute(const CLI::App &app, const Arguments &arguments)
       bench_search(communicator, arguments.search);
   }
   if (app.got_subcommand("template") && rank_in(communicator) == 0)
-    print_template(std::cout);
+    (arguments.schema ? print_schema : print_template)(std::cout);
   return 0;
 }
 

@@ -73,15 +73,6 @@ std::string plain_unit(std::string unit)
   return unit;
 }
 
-std::vector<std::string> units_of(const Dimension dimension)
-{
-  std::vector<std::string> names;
-  for (const Unit &unit : units)
-    if (unit.dimension == dimension)
-      names.push_back(unit.name);
-  return names;
-}
-
 // Why `unit` is not one of the dimension's units.
 std::string unit_problem(const std::string &unit, const Dimension dimension)
 {
@@ -137,6 +128,15 @@ std::string dimension_name(const Dimension dimension)
       return "an energy per area";
   }
   return "";
+}
+
+std::vector<std::string> units_of(const Dimension dimension)
+{
+  std::vector<std::string> names;
+  for (const Unit &unit : units)
+    if (unit.dimension == dimension)
+      names.push_back(unit.name);
+  return names;
 }
 
 std::string unit_names(const Dimension dimension)

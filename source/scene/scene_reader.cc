@@ -31,10 +31,4 @@ void write_used_parameters(const ParameterFile &file, std::ostream &out)
   read_sections(file, sections);
   write_parameters(sections, out);
 }
-
-void print_template(std::ostream &out)
-{
-  Scene scene = empty_scene(1, {"PMMA"});
-  write_template(scene_sections("template", scene), out);
-}
 } // namespace ricochet

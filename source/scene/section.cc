@@ -120,6 +120,25 @@ std::vector<std::string> Section::entry_names() const
   return names;
 }
 
+std::size_t Section::longest_name() const
+{
+  std::size_t longest = 0;
+  for (const Entry &entry : entries_)
+    longest = std::max(longest, entry.name.size());
+  return longest;
+}
+
+std::vector<const Choice *> Section::choices_with(const Entry &entry) const
+{
+  std::vector<const Choice *> found;
+  for (const Choice &choice : choices_)
+    if (std::any_of(choice.options.begin(), choice.options.end(),
+                    [&](const Entries &option)
+                    { return std::find(option.begin(), option.end(), &entry) != option.end(); }))
+      found.push_back(&choice);
+  return found;
+}
+
 void Section::read(const ParameterFile &file)
 {
   for (Entry &entry : entries_)

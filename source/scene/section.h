@@ -125,6 +125,10 @@ public:
   const std::vector<Choice> &choices() const { return choices_; }
   const Entry *find(const std::string &name) const;
   std::vector<std::string> entry_names() const;
+  /// Length of the longest name, for columns.
+  std::size_t longest_name() const;
+  /// Those that the entry has a part in.
+  std::vector<const Choice *> choices_with(const Entry &entry) const;
 
   /// Takes over what the file says; its values must match their patterns.
   void read(const ParameterFile &file);

@@ -17,6 +17,9 @@ std::string dimension_name(Dimension dimension);
 /// number.
 std::string unit_names(Dimension dimension);
 
+/// The same one by one; none for a number.
+std::vector<std::string> units_of(Dimension dimension);
+
 struct ParsedQuantity
 {
   double value;        // in SI; meaningless if there is a problem

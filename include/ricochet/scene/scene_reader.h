@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From a parameter file to a checked scene, and back: the parameters that were used, and a
-// commented file to start from.
+// From a parameter file to a checked scene, and back: the parameters that were used.
 #pragma once
 
 #include "ricochet/scene/parameter_file.h"
@@ -23,7 +22,4 @@ Scene read_scene(const ParameterFile &file);
  * marked, units kept, in the order of their declaration. Read again, the text gives the same scene.
  */
 void write_used_parameters(const ParameterFile &file, std::ostream &out);
-
-/// Writes a parameter file that runs, with one comment per entry which ends in what is expected.
-void print_template(std::ostream &out);
 } // namespace ricochet
