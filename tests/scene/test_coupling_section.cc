@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The section 'Coupling' and the zone boxes of plates.
-#include "ricochet/scene/scene_reader.h"
-
 #include "support/scene_text.h"
 
 #include <cmath>
@@ -10,17 +8,6 @@ namespace ricochet::tests
 {
 namespace
 {
-Scene read_with(const std::vector<std::string> &overrides)
-{
-  return read_scene(scene_with(overrides));
-}
-
-void expect_scene_error(const std::vector<std::string> &overrides,
-                        const std::vector<std::string> &parts)
-{
-  expect_error([&] { read_with(overrides); }, parts);
-}
-
 TEST(CouplingSection, DefaultsArePeridynamicsThroughout)
 {
   const auto zone = read_with({}).zone;

@@ -7,7 +7,7 @@ namespace ricochet::tests
 {
 namespace
 {
-void expect_text_error(const std::string &text, const std::vector<std::string> &parts)
+void expect_file_error(const std::string &text, const std::vector<std::string> &parts)
 {
   expect_error([&] { ParameterFile::from_text(text, "a.prm"); }, parts);
 }
@@ -49,30 +49,30 @@ TEST(ParameterFile, BackslashContinuesALine)
 
 TEST(ParameterFile, RepeatedEntryNamesBothLines)
 {
-  expect_text_error("subsection Impact\nset Speed = 1 m/s\nend\n"
+  expect_file_error("subsection Impact\nset Speed = 1 m/s\nend\n"
                     "subsection Impact\nset Speed = 2 m/s\nend\n",
                     {"a.prm:5", "'Impact/Speed'", "a.prm:2", "Remove one"});
 }
 
 TEST(ParameterFile, UnbalancedSectionsAreFoundWithTheirLine)
 {
-  expect_text_error("set A = 1\nsubsection Impact\nset B = 2\n",
+  expect_file_error("set A = 1\nsubsection Impact\nset B = 2\n",
                     {"a.prm:2", "'Impact'", "no 'end'"});
-  expect_text_error("set A = 1\nend\n", {"a.prm:2", "no section for this 'end'"});
-  expect_text_error("subsection Impact\nsubsection Time\nend\n",
+  expect_file_error("set A = 1\nend\n", {"a.prm:2", "no section for this 'end'"});
+  expect_file_error("subsection Impact\nsubsection Time\nend\n",
                     {"a.prm:2", "'Time'", "inside the section 'Impact'", "line 1"});
 }
 
 TEST(ParameterFile, LinesOfAnotherFormAreExplained)
 {
-  expect_text_error("Title = 3\n", {"a.prm:1", "'set Title = 3'"});
-  expect_text_error("end time = 3 us\n", {"a.prm:1", "begins with 'set'"});
-  expect_text_error("end of it\n", {"a.prm:1", "Nothing may follow 'end'", "#"});
-  expect_text_error("subsecton Impact\n", {"a.prm:1", "did you mean 'subsection'?"});
-  expect_text_error("set Title\n", {"a.prm:1", "set NAME = VALUE"});
-  expect_text_error("set = 3\n", {"a.prm:1", "set NAME = VALUE"});
-  expect_text_error("subsection\n", {"a.prm:1", "has no name"});
-  expect_text_error("include\n", {"a.prm:1", "include FILE"});
+  expect_file_error("Title = 3\n", {"a.prm:1", "'set Title = 3'"});
+  expect_file_error("end time = 3 us\n", {"a.prm:1", "begins with 'set'"});
+  expect_file_error("end of it\n", {"a.prm:1", "Nothing may follow 'end'", "#"});
+  expect_file_error("subsecton Impact\n", {"a.prm:1", "did you mean 'subsection'?"});
+  expect_file_error("set Title\n", {"a.prm:1", "set NAME = VALUE"});
+  expect_file_error("set = 3\n", {"a.prm:1", "set NAME = VALUE"});
+  expect_file_error("subsection\n", {"a.prm:1", "has no name"});
+  expect_file_error("include\n", {"a.prm:1", "include FILE"});
 }
 
 TEST(ParameterFile, IncludingFileOverridesTheIncludedOne)
@@ -118,7 +118,7 @@ TEST(ParameterFile, MissingFilesAreNamed)
 
 TEST(ParameterFile, IncludeInsideASectionIsAnError)
 {
-  expect_text_error("subsection S\ninclude b.prm\nend\n", {"a.prm:2", "inside the section 'S'"});
+  expect_file_error("subsection S\ninclude b.prm\nend\n", {"a.prm:2", "inside the section 'S'"});
 }
 
 TEST(ParameterFile, OverridesWinAndComeFromTheCommandLine)

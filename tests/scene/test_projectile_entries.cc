@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/scene/scene_reader.h"
 #include "support/scene_text.h"
+
+#include <cmath>
 
 namespace ricochet::tests
 {
@@ -16,12 +17,6 @@ std::vector<std::string> with(std::vector<std::string> overrides,
 {
   overrides.insert(overrides.end(), more.begin(), more.end());
   return overrides;
-}
-
-void expect_refused(const std::vector<std::string> &overrides,
-                    const std::vector<std::string> &parts)
-{
-  expect_error([&] { read_scene(scene_with(overrides)); }, parts);
 }
 
 TEST(ProjectileEntries, ModelIsRigidUnlessSaid)
@@ -51,25 +46,26 @@ TEST(ProjectileEntries, PeridynamicNoseReachesBackAsFarAsSaid)
                        .projectile.peridynamic_length,
                    15e-3);
 
-  expect_refused({nose[0], E, nu}, {"Grid spacing"});
-  expect_refused(with(nose, {"Projectile/Peridynamic length=3 mm"}),
-                 {"Peridynamic length = '3 mm'", "behind the nose", "before the base"});
-  expect_refused(with(nose, {"Projectile/Peridynamic length=1 m"}), {"before the base"});
-  expect_refused(with(nose, {"Projectile/Nose shape=flat", "Projectile/Nose length="}),
-                 {"Peridynamic length", "no length of its own"});
-  expect_refused(
+  expect_scene_error({nose[0], E, nu}, {"Grid spacing"});
+  expect_scene_error(with(nose, {"Projectile/Peridynamic length=3 mm"}),
+                     {"Peridynamic length = '3 mm'", "behind the nose", "before the base"});
+  expect_scene_error(with(nose, {"Projectile/Peridynamic length=1 m"}), {"before the base"});
+  expect_scene_error(with(nose, {"Projectile/Nose shape=flat", "Projectile/Nose length="}),
+                     {"Peridynamic length", "no length of its own"});
+  expect_scene_error(
       with(nose, {"Projectile/Nose shape=sphere", "Projectile/Nose length=", "Projectile/Length="}),
       {"Projectile/Model", "all nose", "'finite elements'"});
 }
 
 TEST(ProjectileEntries, DeformableModelsNeedTheirConstants)
 {
-  expect_refused({is_elements}, {"Young's modulus"});
-  expect_refused(points, {"Grid spacing"});
-  expect_refused({is_elements, E, "Projectile/Poisson's ratio=0.5"}, {"Poisson's ratio", "0.3"});
-  expect_refused(with(elements, {"Projectile/Refinement=2.5"}), {"Refinement", "whole number"});
-  expect_refused(with(elements, {"Projectile/Refinement=5"}), {"Choose 1, 2, 3 or 4"});
-  expect_refused({"Projectile/Model=plastic"}, {"finite elements"});
+  expect_scene_error({is_elements}, {"Young's modulus"});
+  expect_scene_error(points, {"Grid spacing"});
+  expect_scene_error({is_elements, E, "Projectile/Poisson's ratio=0.5"},
+                     {"Poisson's ratio", "0.3"});
+  expect_scene_error(with(elements, {"Projectile/Refinement=2.5"}), {"Refinement", "whole number"});
+  expect_scene_error(with(elements, {"Projectile/Refinement=5"}), {"Choose 1, 2, 3 or 4"});
+  expect_scene_error({"Projectile/Model=plastic"}, {"finite elements"});
 }
 
 TEST(ProjectileEntries, MeshFileIsRead)
@@ -82,6 +78,61 @@ TEST(ProjectileEntries, MeshFileIsRead)
   expect_error<FileError>(
       [&] { read_scene(scene_with(with(elements, {"Projectile/Mesh=nothing.msh"}))); },
       {"nothing.msh", "cannot be read"});
+}
+
+TEST(ProjectileEntries, CaliberRadiusHeadGivesTheNoseLength)
+{
+  const Scene scene = read_with({"Projectile/Nose length=", "Projectile/Caliber radius head=3"});
+  // A tangent ogive: l = d sqrt(CRH - 1/4).
+  EXPECT_DOUBLE_EQ(scene.projectile.shape.nose_length, 6e-3 * std::sqrt(2.75));
+  expect_scene_error({"Projectile/Caliber radius head=3"}, {"'Nose length' (scene.prm:6)"});
+  expect_scene_error({"Projectile/Nose length="},
+                     {"set Nose length", "or: set Caliber radius head = 3"});
+  expect_scene_error({"Projectile/Nose length=", "Projectile/Caliber radius head=0.4"},
+                     {"'0.4'", "0.5"});
+}
+
+TEST(ProjectileEntries, OnlyOgiveAndConeHaveANoseLength)
+{
+  expect_scene_error({"Projectile/Nose shape=flat"},
+                     {"scene.prm:6", "Nose length", "'flat'", "Remove"});
+  expect_scene_error(
+      {"Projectile/Nose shape=cone", "Projectile/Nose length=", "Projectile/Caliber radius head=3"},
+      {"missing", "set Nose length"});
+  expect_scene_error({"Projectile/Nose shape=cone", "Projectile/Caliber radius head=3"},
+                     {"command line", "Caliber radius head", "'cone'"});
+  EXPECT_DOUBLE_EQ(read_with({"Projectile/Nose shape=hemisphere", "Projectile/Nose length="})
+                       .projectile.shape.nose_length,
+                   3e-3); // half the diameter
+}
+
+TEST(ProjectileEntries, ASphereHasADiameterOnly)
+{
+  const Scene scene =
+      read_with({"Projectile/Nose shape=sphere", "Projectile/Length=", "Projectile/Nose length=",
+                 "Projectile/Mass=", "Projectile/Density=7850 kg/m3"});
+  EXPECT_EQ(scene.projectile.shape.nose, NoseShape::sphere);
+  const double volume = 4. / 3. * M_PI * std::pow(3e-3, 3);
+  EXPECT_NEAR(scene.projectile.mass, 7850. * volume, 1e-12 * scene.projectile.mass); // rounding
+  expect_scene_error({"Projectile/Nose shape=sphere", "Projectile/Nose length="},
+                     {"Length", "'sphere'", "Remove"});
+}
+
+TEST(ProjectileEntries, DensityTimesVolumeGivesTheMass)
+{
+  const Scene scene =
+      read_with({"Projectile/Nose shape=flat",
+                 "Projectile/Nose length=", "Projectile/Mass=", "Projectile/Density=7850 kg/m3"});
+  const double volume = M_PI * 3e-3 * 3e-3 * 28e-3;                                  // a cylinder
+  EXPECT_NEAR(scene.projectile.mass, 7850. * volume, 1e-12 * scene.projectile.mass); // rounding
+  expect_scene_error({"Projectile/Density=7850 kg/m3"}, {"'Mass' (scene.prm:7)", "Keep one"});
+  expect_scene_error({"Projectile/Mass="}, {"set Mass = 5.25 g", "or: set Density"});
+}
+
+TEST(ProjectileEntries, ImpossibleProjectileIsRejected)
+{
+  expect_scene_error({"Projectile/Nose length=30 mm"}, {"command line", "longer", "'Projectile'"});
+  expect_scene_error({"Projectile/Nose length=2 mm"}, {"command line", "ogive", "'Projectile'"});
 }
 } // namespace
 } // namespace ricochet::tests

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ricochet/base/exceptions.h"
-#include "ricochet/scene/parameter_file.h"
+#include "ricochet/scene/scene_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -71,6 +71,22 @@ void expect_error(const Action &action, const std::vector<std::string> &parts)
       EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in:\n" << message;
     EXPECT_EQ(message.find("dealii"), std::string::npos) << message;
   }
+}
+
+inline Scene read_with(const std::vector<std::string> &overrides)
+{
+  return read_scene(scene_with(overrides));
+}
+
+inline void expect_scene_error(const std::vector<std::string> &overrides,
+                               const std::vector<std::string> &parts)
+{
+  expect_error([&] { read_with(overrides); }, parts);
+}
+
+inline void expect_text_error(const std::string &text, const std::vector<std::string> &parts)
+{
+  expect_error([&] { read_scene(ParameterFile::from_text(text, "scene.prm")); }, parts);
 }
 
 /// A folder of files that lasts as long as this object.
