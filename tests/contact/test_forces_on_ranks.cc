@@ -65,7 +65,7 @@ Result cloud_forces(const MPI_Comm communicator, const Setup &setup)
     sample.communicator         = communicator;
     bodies.push_back(make_body(sample));
   }
-  const ExponentialFriction law({"exponential", 0.5, 0.05, 0.01, 5.});
+  const ExponentialFriction law({0.5, 0.05, 0.01});
   ShortRangeContact::Friction friction;
   if (setup.friction)
     friction = {&law, 1., 5.};

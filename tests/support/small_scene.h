@@ -22,7 +22,8 @@ inline Scene small_scene()
   scene.materials = {
       {"plate", "linear peridynamic solid", 1190., 5.9 * GPa, 2.258 * GPa, 0.01, 0.}};
   scene.contact.stiffness_factor       = 1.;
-  scene.contact.friction               = {"exponential", 0.3, 0.05, 0.01, 5.};
+  scene.contact.friction               = ExponentialFriction::Parameters{0.3, 0.05, 0.01};
+  scene.contact.regularisation_speed   = 5.;
   scene.contact.shank_resistance       = 100. * MPa;
   scene.contact.shank_contact_fraction = 0.1;
   scene.contact.debris_factor          = 1.;

@@ -9,10 +9,12 @@
 
 namespace ricochet
 {
-using FrictionLaws = LawList<FrictionLaw,         //
-                             ExponentialFriction, //
-                             ConstantFriction,    //
-                             HyperbolicFriction>;
+// clang-format off
+using FrictionLaws = LawList<FrictionLaw,
+  ExponentialFriction,
+  ConstantFriction,
+  HyperbolicFriction>;
+// clang-format on
 
 /// The constants of one law, ConstantFriction::Parameters{0.2}.
 using FrictionParameters = FrictionLaws::Parameters;
