@@ -79,6 +79,7 @@ inline std::string name_of(const InfluenceFunction function)
 inline const std::vector<FrictionParameters> friction_law_samples{
     ExponentialFriction::Parameters{0.4, 0.05, 0.01},
     ConstantFriction::Parameters{0.2},
+    FlashHeatingFriction::Parameters{0.5, 0.1, 20.},
     HyperbolicFriction::Parameters{0.5, 0.1, 0.02},
 };
 } // namespace ricochet::tests

@@ -5,6 +5,7 @@
 #include "ricochet/base/law_list.h"
 #include "ricochet/contact/constant_friction.h"
 #include "ricochet/contact/exponential_friction.h"
+#include "ricochet/contact/flash_heating_friction.h"
 #include "ricochet/contact/hyperbolic_friction.h"
 
 namespace ricochet
@@ -13,6 +14,7 @@ namespace ricochet
 using FrictionLaws = LawList<FrictionLaw,
   ExponentialFriction,
   ConstantFriction,
+  FlashHeatingFriction,
   HyperbolicFriction>;
 // clang-format on
 
