@@ -66,6 +66,18 @@ TEST(HyperbolicFriction, HalfOfTheWayIsLostAtTheInverseDecay)
   EXPECT_DOUBLE_EQ(law.coefficient(950.), 0.1 + 0.4 / 20.);
 }
 
+TEST(FlashHeatingFriction, FallsLikeTheInverseSpeedAboveTheWeakeningSpeed)
+{
+  const FlashHeatingFriction law({0.5, 0.1, 20.});
+  // mu_w + (mu_0 - mu_w)/[1 + (v/V_w)^8]^(1/8): at V_w the way is lost by 2^(-1/8).
+  EXPECT_DOUBLE_EQ(law.coefficient(20.), 0.1 + 0.4 * std::pow(2., -0.125));
+  EXPECT_DOUBLE_EQ(law.coefficient(37.),
+                   0.1 + 0.4 * std::pow(1. + std::pow(37. / 20., 8.), -0.125));
+  // Rice's limits; the next term is the eighth power of the ratio over 8.
+  EXPECT_NEAR(law.coefficient(2.), 0.5, 0.4 * 1e-8 / 8.);
+  EXPECT_NEAR(law.coefficient(200.), 0.1 + 0.4 * 0.1, 0.04 * 1e-8 / 8.);
+}
+
 TEST(ConstantFriction, DoesNotDependOnTheSpeed)
 {
   const ConstantFriction law({0.2});

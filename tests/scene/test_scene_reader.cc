@@ -235,6 +235,19 @@ TEST(SceneReader, FrictionNeedsWhatItsLawReads)
             "constant");
 }
 
+TEST(SceneReader, ConstantOfOneFrictionLawIsReadAndAskedForWithItAlone)
+{
+  const std::string law = "Contact/Friction law=flash heating";
+  const Scene scene     = read_with({law, "Contact/Weakening speed=0.12 m/s"});
+  const auto &friction  = std::get<FlashHeatingFriction::Parameters>(scene.contact.friction);
+  EXPECT_DOUBLE_EQ(friction.static_coefficient, 0.5);
+  EXPECT_DOUBLE_EQ(friction.kinetic_coefficient, 0.05);
+  EXPECT_DOUBLE_EQ(friction.weakening_speed, 0.12);
+  expect_scene_error({law}, {"An entry", "subsection Contact", "set Weakening speed = 1 m/s"});
+  expect_scene_error({law, "Contact/Weakening speed=1"},
+                     {"Contact/Weakening speed = '1'", "unit is missing", "a speed above 0"});
+}
+
 TEST(SceneReader, NamesOutsideTheMenusShowTheMenu)
 {
   expect_scene_error({"Plate 1/Influence function=kone"},
