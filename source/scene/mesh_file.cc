@@ -46,13 +46,11 @@ void check_format(const std::string &file, const std::string &text)
                      "; 2.2 and 4.1 ASCII can be read.\n  Save it as 'Version 2 ASCII', or set "
                      "Mesh.MshFileVersion = 4.1 and Mesh.Binary = 0.");
 }
-} // namespace
 
-HexSolid read_mesh(const std::filesystem::path &path, const double unit)
+/// Reads the text into the mesh; file: its name, for errors.
+void read_hexahedra(const std::string &file, const std::string &text,
+                    dealii::Triangulation<3> &mesh)
 {
-  const std::string file = path.string(), text = contents(path);
-  check_format(file, text);
-  dealii::Triangulation<3> mesh;
   std::string problem;
   try
   {
@@ -78,7 +76,11 @@ HexSolid read_mesh(const std::filesystem::path &path, const double unit)
     throw InputError(file +
                      ": The mesh holds tetrahedra or wedges; only hexahedra can be used.\n  Mesh "
                      "with transfinite surfaces and 'Recombine'.");
+}
 
+/// Nodes in the order in which cells come upon them.
+HexSolid solid_of(const dealii::Triangulation<3> &mesh, const double unit)
+{
   HexSolid solid;
   std::vector<int> number(mesh.n_vertices(), -1);
   for (const auto &cell : mesh.active_cell_iterators())
@@ -97,6 +99,11 @@ HexSolid read_mesh(const std::filesystem::path &path, const double unit)
     }
     solid.cells.push_back(corners);
   }
+  return solid;
+}
+
+void check_shapes(const std::string &file, const HexSolid &solid, const double unit)
+{
   for (std::size_t cell = 0; cell < solid.cells.size(); ++cell)
     if (const double quality = scaled_jacobian(solid, static_cast<int>(cell));
         !(quality >= smallest_scaled_jacobian))
@@ -109,6 +116,17 @@ HexSolid read_mesh(const std::filesystem::path &path, const double unit)
               << ").\n  Mesh the body with better elements there.";
       throw InputError(message.str());
     }
+}
+} // namespace
+
+HexSolid read_mesh(const std::filesystem::path &path, const double unit)
+{
+  const std::string file = path.string(), text = contents(path);
+  check_format(file, text);
+  dealii::Triangulation<3> mesh;
+  read_hexahedra(file, text, mesh);
+  HexSolid solid = solid_of(mesh, unit);
+  check_shapes(file, solid, unit);
   return solid;
 }
 
