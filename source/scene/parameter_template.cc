@@ -139,7 +139,7 @@ void print_template(std::ostream &out)
     const bool is_first = &kind == &all.kinds.front();
     out << (is_first ? "" : "\n\n");
     write_comment(kind.introduction, "", width, out);
-    out << '\n';
+    out << (kind.sections.front().name().empty() ? "\n" : ""); // others begin with an empty line
     if (is_first)
     {
       write_template(kind.sections, width, out);
