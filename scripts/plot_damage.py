@@ -3,11 +3,12 @@
 
 import os
 
-import numpy as np
-from matplotlib.colors import LinearSegmentedColormap
-
+# First, because they say what to install if it is missing.
 from plot_style import close_box, plt, save, ticks, write_title
 from read_run import read_damage, read_summary, title_of
+
+import numpy as np
+from matplotlib.colors import LinearSegmentedColormap
 
 # From sound to broken the lightness falls evenly, so that the map reads in grey as well.
 DAMAGE = LinearSegmentedColormap.from_list("damage", ["#EADFC8", "#F0B860", "#D9622B", "#8E1B3C", "#2A0A2C"])

@@ -3,10 +3,11 @@
 
 import os
 
-import numpy as np
-
+# First, because they say what to install if it is missing.
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, plt, save, ticks, write_title
 from read_run import title_of
+
+import numpy as np
 
 
 def lines(axes, history, entries, ylabel):

@@ -3,12 +3,13 @@
 
 import os
 
-import numpy as np
-from matplotlib.collections import PolyCollection
-
-from plot_damage import DAMAGE, draw_damage_bar
+# First, because they say what to install if it is missing.
 from plot_style import BLUE, close_box, plt, save, ticks, write_title
 from read_run import read_frames, stated_times, title_of
+from plot_damage import DAMAGE, draw_damage_bar
+
+import numpy as np
+from matplotlib.collections import PolyCollection
 
 STEEL, STEEL_EDGE = "#8795A3", "#2F3840"
 

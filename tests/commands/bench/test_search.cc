@@ -26,7 +26,7 @@ TEST(SearchPoints, LatticeHasThePairsOfTheFormula)
 {
   const auto points = search_points("lattice", 512, 0.8);
   ASSERT_EQ(points.size(), 512u);
-  for (const double radius : {0.05, 0.101, 0.15, 0.3, 0.75})
+  for (const double radius : {0.05, 0.101, 0.15, 0.31, 0.76})
     EXPECT_EQ(pairs_of(points, radius), lattice_pairs(8, 0.1, radius)) << radius;
 }
 
