@@ -20,12 +20,12 @@ TEST(Mesh, IsJudgedAndWrittenAsAFileThatCanBeReadBack)
   EXPECT_EQ(contains(first, "hexahedra"), rank() == 0) << first;
   EXPECT_EQ(contains(first, "written        " + written.string()), rank() == 0) << first;
   ::testing::internal::CaptureStdout();
-  mesh_projectile(MPI_COMM_WORLD,
-                  two_plates_file("unused", {"Projectile/Model=finite elements",
-                                             "Projectile/Young's modulus=202 GPa",
-                                             "Projectile/Poisson's ratio=0.3",
-                                             "Projectile/Mesh=" + written.string()}),
-                  {});
+  mesh_projectile(
+      MPI_COMM_WORLD,
+      two_plates_file("unused",
+                      {"Projectile/Model=finite elements", "Projectile/Young's modulus=202 GPa",
+                       "Projectile/Poisson's ratio=0.3", "Projectile/Mesh=" + written.string()}),
+      {});
   const std::string second = ::testing::internal::GetCapturedStdout();
   if (rank() == 0)
   {

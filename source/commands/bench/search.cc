@@ -47,7 +47,7 @@ struct Row
 {
   std::string arrangement, method;
   std::int64_t n_points = 0;
-  int n_processes = 0;
+  int n_processes       = 0;
   double seconds = 0., expected = 0.; // [s], pairs
   PairSum pairs;
 };
