@@ -40,6 +40,13 @@ Zone::Cells common(Zone::Cells a, const Zone::Cells &b)
 }
 } // namespace
 
+double blend(const BlendFunction function, const double t)
+{
+  if (t <= 0. || t >= 1. || function == BlendFunction::step)
+    return t < 1. ? 1. : 0.;
+  return function == BlendFunction::linear ? 1. - t : 1. - t * t * (3. - 2. * t);
+}
+
 Zone::Zone(const std::array<int, 3> &n_cells, const int reach, const BlendFunction blend,
            const int blend_layers, const int points_per_edge) :
   n_(n_cells),
@@ -173,7 +180,7 @@ double Zone::weight(const int x, const int y, const int z) const
       }
   const int distance = n * (layer - 1) + nearest;
   const double t     = (distance - 0.5) / (n * pad_);
-  return blend_ == BlendFunction::linear ? 1. - t : 1. - t * t * (3. - 2. * t);
+  return blend(blend_, t);
 }
 
 std::int64_t Zone::n_free_cells() const

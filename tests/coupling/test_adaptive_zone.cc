@@ -76,6 +76,21 @@ TEST(AdaptiveZone, StretchBelowTheLimitOrFarFromTheInterfaceDoesNotMatter)
   EXPECT_LT(watch.reached(), 0.);
 }
 
+TEST(AdaptiveZone, LooksTwoHorizonsDeepWhateverTheHorizon)
+{
+  // Four cells, eight points, with m = 4. Bonds reach three points; each counts at its lower end.
+  auto sample          = plate_with_column();
+  sample.horizon_ratio = 4.;
+  for (const auto &[cell, seen] : {std::pair<int, bool>{13, true}, {14, false}})
+  {
+    PlateModel plate(sample);
+    AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(false));
+    pull(plate, {cell, 14, 2}, 0.018);
+    watch.update(2e-6, dt);
+    EXPECT_EQ(watch.reached() >= 0., seen) << cell;
+  }
+}
+
 TEST(AdaptiveZone, AdaptiveZoneGrowsByColumnsOfBricks)
 {
   PlateModel plate(plate_with_column());

@@ -78,6 +78,8 @@ public:
 
 private:
   void build_interface();
+  void correct_mass_of_pad();
+  void find_bond_shares();
   void find_slaved_nodes();
   std::vector<ElementStiffness> calibrated_stiffness();
   std::vector<ElementStiffness> blended_stiffness() const;

@@ -32,6 +32,9 @@ enum class BlendFunction
   cubic
 };
 
+/// The blend as a function of the distance from the zone in parts of its width [-].
+double blend(BlendFunction function, double t);
+
 class Zone
 {
 public:
