@@ -7,6 +7,7 @@
 #include "check.h"
 #include "mesh.h"
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/version.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/stability_reader.h"
@@ -54,7 +55,7 @@ ParameterFile parameter_file(const Arguments &arguments)
 
 void declare(CLI::App &app, Arguments &arguments)
 {
-  app.set_version_flag("--version", RICOCHET_VERSION);
+  app.set_version_flag("--version", version());
   app.require_subcommand(1);
   const auto add_scene = [&](CLI::App *command)
   {

@@ -4,6 +4,7 @@
 #include "interruption.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
+#include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/field_writer.h"
@@ -411,7 +412,7 @@ private:
     s["bond_rate_per_core"]     = bond_rate() / n_ranks_;
     s["interrupted"]            = interrupted_;
     s["failed"]                 = failed;
-    s["version"]                = RICOCHET_VERSION;
+    s["version"]                = version();
     add_damage(s);
     if (!positions_.empty())
       s["positions"] = positions_;

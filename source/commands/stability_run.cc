@@ -2,6 +2,7 @@
 #include "stability_run.h"
 
 #include "ricochet/base/units.h"
+#include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/result_directory.h"
@@ -72,7 +73,8 @@ nlohmann::ordered_json run_stability(const MPI_Comm communicator, const Paramete
       {"wall_seconds",
        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
       {"failed", false},
-      {"interrupted", false}};
+      {"interrupted", false},
+      {"version", version()}};
   write_summary(communicator, directory, summary);
   return summary;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/vtu_writer.h"
 
+#include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 
@@ -118,6 +119,15 @@ std::string numbered(const char *format, const unsigned int number, const unsign
   std::snprintf(name, sizeof name, format, number, rank);
   return name;
 }
+/// The text of an XML file with a comment behind its declaration <?xml ... ?>, where XML allows it
+/// first: the version of ricochet.
+std::string signed_text(std::string xml)
+{
+  const std::size_t declaration = xml.find("?>");
+  xml.insert(declaration == std::string::npos ? 0 : declaration + 2,
+             "\n<!-- ricochet " + std::string(version()) + " -->");
+  return xml;
+}
 } // namespace
 
 VtuWriter::VtuWriter(const MPI_Comm comm, const std::filesystem::path &directory) :
@@ -140,7 +150,7 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
                                                  vtk_flags(time), piece);
                   write_file(directory_ / "vtu" /
                                  numbered(piece_format.c_str(), number, rank_in(comm_)),
-                             piece.str());
+                             signed_text(piece.str()));
                 });
   const std::string record_name = numbered(("vtu/" + name + "_%04u.pvtu").c_str(), number);
   on_first_rank(comm_,
@@ -154,7 +164,7 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
                   std::ostringstream record;
                   dealii::DataOutBase::write_pvtu_record(record, pieces, column_names,
                                                          vector_fields, vtk_flags(time));
-                  write_file(directory_ / record_name, record.str());
+                  write_file(directory_ / record_name, signed_text(record.str()));
                 });
   return record_name;
 }
@@ -183,7 +193,7 @@ void VtuWriter::write_projectile(const std::string &file, const double time,
 {
   std::ostringstream text;
   dealii::DataOutBase::write_vtu(patches_of(surface), {"body"}, {}, vtk_flags(time), text);
-  write_file(directory_ / file, text.str());
+  write_file(directory_ / file, signed_text(text.str()));
 }
 
 void VtuWriter::write_index() const
@@ -202,6 +212,6 @@ void VtuWriter::write_index() const
              << parts[part].first << "\" file=\"" << parts[part].second << "\"/>\n";
   }
   text << "  </Collection>\n</VTKFile>\n";
-  write_file(directory_ / "results.pvd", text.str());
+  write_file(directory_ / "results.pvd", signed_text(text.str()));
 }
 } // namespace ricochet

@@ -2,9 +2,13 @@
 // From a parameter file to the summary: what a run says about stated times, plates and friction.
 #include "commands/run.h"
 
+#include "ricochet/base/version.h"
 #include "support/scratch_directory.h"
 
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <map>
 
 namespace ricochet
 {
@@ -110,6 +114,34 @@ TEST(Run, SummaryTellsPositionsAtStatedTimesAndDamagePerPlate)
       }
     FAIL() << "no column of the work of debris friction";
   }
+}
+
+TEST(Run, EveryResultFileNamesTheVersion)
+{
+  const ScratchDirectory scratch;
+  const auto folder = scratch.path() / "results";
+  RunOptions options;
+  options.quiet   = true;
+  const auto file = ParameterFile::from_text(scene, "scene.prm",
+                                             {{"Output", "Directory", folder.string(), "test"},
+                                              {"Output", "ParaView files", "true", "test"},
+                                              {"Time", "Final time", "2 us", "test"}});
+  const auto s    = run(MPI_COMM_WORLD, file, options);
+  EXPECT_EQ(s["version"], version());
+  if (rank() != 0)
+    return;
+  // A table has no place for it and parameters are not results; summary.json lies next to both.
+  std::map<std::string, int> files;
+  for (const auto &entry : std::filesystem::recursive_directory_iterator(folder))
+  {
+    const std::string kind = entry.path().extension();
+    if (!entry.is_regular_file() || kind == ".csv" || kind == ".prm")
+      continue;
+    EXPECT_TRUE(contains(read_text(entry.path()), version())) << entry.path();
+    ++files[kind];
+  }
+  for (const char *kind : {".json", ".h5", ".vtu", ".pvtu", ".pvd"})
+    EXPECT_GT(files[kind], 0) << kind;
 }
 } // namespace
 } // namespace ricochet
