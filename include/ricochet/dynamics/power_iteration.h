@@ -8,6 +8,7 @@
 
 namespace ricochet
 {
+/// What a power iteration has found.
 struct FrequencyEstimate
 {
   double squared_frequency; // largest eigenvalue of M^-1 K at the reference positions [1/s^2]
