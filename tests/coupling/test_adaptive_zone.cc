@@ -27,7 +27,7 @@ AdaptiveZone::Parameters parameters(const bool adaptive)
 }
 
 /// Moves one free point by so many spacings along x: its bonds stretch by at most as much.
-void pull(CoupledPlate &plate, const Zone::Cell &cell, const double spacings)
+void pull(PlateModel &plate, const Zone::Cell &cell, const double spacings)
 {
   const auto p = plate.points->lattice().index(2 * cell[0], 2 * cell[1], 2 * cell[2]);
   ASSERT_TRUE(plate.points->lattice().free(p));
@@ -39,7 +39,7 @@ constexpr double dt = 1e-6;
 
 TEST(AdaptiveZone, QuietPlateIsLeftAlone)
 {
-  CoupledPlate plate(plate_with_column());
+  PlateModel plate(plate_with_column());
   AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   const auto n_free = plate.zone->n_free_cells();
   for (int step = 0; step < 12; ++step)
@@ -52,7 +52,7 @@ TEST(AdaptiveZone, QuietPlateIsLeftAlone)
 
 TEST(AdaptiveZone, FixedZoneSaysWhenItWasReached)
 {
-  CoupledPlate plate(plate_with_column());
+  PlateModel plate(plate_with_column());
   AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(false));
   EXPECT_FALSE(watch.update(0., dt));
   EXPECT_LT(watch.reached(), 0.);
@@ -67,7 +67,7 @@ TEST(AdaptiveZone, FixedZoneSaysWhenItWasReached)
 
 TEST(AdaptiveZone, StretchBelowTheLimitOrFarFromTheInterfaceDoesNotMatter)
 {
-  CoupledPlate plate(plate_with_column());
+  PlateModel plate(plate_with_column());
   AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   pull(plate, {9, 14, 2}, 0.004);
   pull(plate, {14, 14, 2}, 0.008); // five cells inside
@@ -78,7 +78,7 @@ TEST(AdaptiveZone, StretchBelowTheLimitOrFarFromTheInterfaceDoesNotMatter)
 
 TEST(AdaptiveZone, AdaptiveZoneGrowsByColumnsOfBricks)
 {
-  CoupledPlate plate(plate_with_column());
+  PlateModel plate(plate_with_column());
   AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   pull(plate, {8, 14, 2}, -0.008);
   EXPECT_TRUE(watch.update(0., dt));
@@ -108,7 +108,7 @@ TEST(AdaptiveZone, ZoneAtItsLimitIsReported)
 {
   auto limited  = plate_with_column();
   limited.limit = limited.zone;
-  CoupledPlate plate(limited);
+  PlateModel plate(limited);
   AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   pull(plate, {8, 14, 2}, -0.008);
   EXPECT_FALSE(watch.update(3e-6, dt));
@@ -118,7 +118,7 @@ TEST(AdaptiveZone, ZoneAtItsLimitIsReported)
 
 TEST(AdaptiveZone, ZoneWaitsForTheProjectileWithoutHavingReachedItsLimit)
 {
-  CoupledPlate plate(plate_with_column());
+  PlateModel plate(plate_with_column());
   AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   pull(plate, {19, 14, 2}, 0.008);
   const double edge = 40. * plate.spacing; // of the zone
@@ -134,7 +134,7 @@ TEST(AdaptiveZone, ZoneWaitsForTheProjectileWithoutHavingReachedItsLimit)
 
 TEST(AdaptiveZone, LossIsTheEnergyThatIsMissingAfterwards)
 {
-  CoupledPlate plate(plate_with_column());
+  PlateModel plate(plate_with_column());
   AdaptiveZone watch(MPI_COMM_SELF, *plate.far, parameters(true));
   // A motion that elements with lumped masses and points hold differently.
   plate.set_velocity(

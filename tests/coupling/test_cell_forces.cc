@@ -24,12 +24,12 @@ double shape(const int corner, const int sub)
 /// Forces at the corners of every slaved cell, six unit strains, by both ways.
 void compare(const CoupledSample &sample)
 {
-  CoupledPlate plate(sample);
+  PlateModel plate(sample);
   CellForces forces(*plate.points, {plate.points->material().bulk_modulus,
                                     plate.points->material().shear_modulus});
   const auto &lattice = plate.points->lattice();
   const double strain = 1e-7;
-  const double unit   = CoupledPlate::modulus * plate.edge() * plate.edge();
+  const double unit   = PlateModel::modulus * plate.edge() * plate.edge();
   for (int k = 0; k < n_unit_strains; ++k)
   {
     const auto F = strained(k, strain);
@@ -103,7 +103,7 @@ TEST(CellForces, StressShareFallsFromThePadToTheHalo)
 {
   CoupledSample sample;
   sample.communicator = MPI_COMM_SELF;
-  CoupledPlate plate(sample);
+  PlateModel plate(sample);
   CellForces forces(*plate.points, {plate.points->material().bulk_modulus,
                                     plate.points->material().shear_modulus});
   const auto share = [&](const Zone::Cell &cell)

@@ -25,7 +25,7 @@ class Pulse
 {
 public:
   /// Velocity along x, Gaussian with this width at half height, around x0, travelling to +x.
-  Pulse(CoupledPlate &plate, const double width, const double x0) : plate_(plate)
+  Pulse(PlateModel &plate, const double width, const double x0) : plate_(plate)
   {
     const double sigma = width / 2.3548, amplitude = 1e-5 * plate.spacing;
     const auto u = [=](const double x)
@@ -34,7 +34,7 @@ public:
     plate.set_velocity(
         [&](const Vector3 &X) -> Vector3
         {
-          return CoupledPlate::p_wave_speed * amplitude / (std::sqrt(2. * M_PI) * sigma) *
+          return PlateModel::p_wave_speed * amplitude / (std::sqrt(2. * M_PI) * sigma) *
                  std::exp(-0.5 * std::pow((X.x() - x0) / sigma, 2)) * Vector3::UnitX();
         });
     energy_   = energy();
@@ -75,7 +75,7 @@ public:
   double momentum_jump       = 0.;
 
 private:
-  CoupledPlate &plate_;
+  PlateModel &plate_;
   double energy_ = 0., momentum_ = 0.;
 };
 
@@ -87,14 +87,14 @@ TEST(V22Conversion, TwoWidthsAheadOfAPulseTheEnergyStays)
 {
   // The column's end keeps 16 cells, 2.1 widths, ahead of the crest. With 13 cells the tail of the
   // pulse is converted too and costs 2.7e-6.
-  CoupledPlate plate(block(25));
+  PlateModel plate(block(25));
   Pulse pulse(plate, 5. * horizon, 9. * cell);
   double total = 0.;
   int end = 25, n_events = 0;
   for (int i = 0; end < 55; ++i)
   {
     pulse.step();
-    const double crest = 9. * cell + i * Pulse::dt * CoupledPlate::p_wave_speed;
+    const double crest = 9. * cell + i * Pulse::dt * PlateModel::p_wave_speed;
     if (crest > (end - 16) * cell)
     {
       const double change = pulse.convert(end, end + 4);
@@ -116,7 +116,7 @@ TEST(V22Conversion, UnderAVelocityPulseOfFiveHorizonsLosesSlightlyMoreThanAsked)
     double most = 0.;
     for (const double offset : {-2., 0., 2., 4., 6.}) // of the crest from the column's end
     {
-      CoupledPlate plate(block(25));
+      PlateModel plate(block(25));
       Pulse pulse(plate, width * horizon, (25. + offset) * cell);
       const double change = pulse.convert(25, 29);
       EXPECT_LE(change, 0.) << width << ' ' << offset;

@@ -26,7 +26,7 @@ double sum_over_ranks(double value)
 
 /// Visits the owned points that are slaved or have contact.
 template <class Visitor>
-void for_each_slaved(const CoupledPlate &plate, Visitor &&visit)
+void for_each_slaved(const PlateModel &plate, Visitor &&visit)
 {
   const auto &lattice = plate.points->lattice();
   lattice.for_each_owned(
@@ -46,7 +46,7 @@ TEST(SlavedPoints, FollowLinearFieldsExactly)
 {
   for (const auto &[mirror_y, n_per_edge] : {std::pair(false, 2), {true, 2}, {true, 1}, {true, 4}})
   {
-    CoupledPlate plate(column(mirror_y, n_per_edge));
+    PlateModel plate(column(mirror_y, n_per_edge));
     Eigen::Matrix3d F;
     F << 1.1, 0.2, -0.1, 0.05, 0.9, 0.3, -0.2, 0.1, 1.2;
     const Vector3 c(1e-3, -2e-3, 3e-3);
@@ -81,7 +81,7 @@ TEST(SlavedPoints, FollowLinearFieldsExactly)
 void expect_transpose(const int points_per_edge)
 {
   // f . (P u) = (P^T f) . u for any forces on the points and any motion of the nodes.
-  CoupledPlate plate(column(false, points_per_edge));
+  PlateModel plate(column(false, points_per_edge));
   auto &elements      = plate.far->elements();
   const auto &lattice = plate.points->lattice();
   SlavedPoints slaved(MPI_COMM_WORLD, elements, lattice,
@@ -129,7 +129,7 @@ TEST(SlavedPoints, HandOnTheirForcesByTheTranspose)
 
 TEST(SlavedPoints, LeaveFreePointsAlone)
 {
-  CoupledPlate plate(column());
+  PlateModel plate(column());
   auto &elements = plate.far->elements();
   for (int node = 0; node < elements.mesh().n_owned_nodes(); ++node)
     elements.position()[3 * node] += 1e-3;
@@ -140,7 +140,7 @@ TEST(SlavedPoints, LeaveFreePointsAlone)
 
 TEST(NodeLinks, FetchFromTheOwnersAndAddToThem)
 {
-  CoupledPlate plate(column());
+  PlateModel plate(column());
   const auto &mesh = plate.far->elements().mesh();
   int rank, n_ranks;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -182,7 +182,7 @@ TEST(V1Patch, GhostForcesAreTheSameOnAllRanks)
     sample.communicator = communicator;
     sample.n_cells      = {14, 12, 12};
     sample.zone         = {{5, 4, 4}, {9, 8, 8}};
-    CoupledPlate plate(sample);
+    PlateModel plate(sample);
     EXPECT_EQ(plate.far->calibration().n_elements, 8 * 8 * 8 - 4 * 4 * 4);
     return plate.far->calibration();
   };

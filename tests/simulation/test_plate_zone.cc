@@ -267,7 +267,7 @@ TEST(PlateZone, ZoneOfTheWholePlateIsPeridynamics)
   sample.communicator = MPI_COMM_SELF;
   sample.n_cells      = {6, 5, 4};
   sample.zone         = {{0, 0, 0}, {6, 5, 4}};
-  CoupledPlate plate(sample);
+  PlateModel plate(sample);
   EXPECT_EQ(plate.far->elements().total_mass(), 0.);
   PeridynamicBody alone(MPI_COMM_SELF, 0, plate.points->lattice().box(),
                         plate.points->lattice().stencil(), plate.points->material());

@@ -43,9 +43,9 @@ inline Eigen::Matrix3d strained(const int number, const double strain)
 }
 
 /// Density 1000 kg/m^3 and K + 4 mu/3 = 1 GPa, so that c_P = 1000 m/s.
-struct CoupledPlate
+struct PlateModel
 {
-  explicit CoupledPlate(const CoupledSample &sample) :
+  explicit PlateModel(const CoupledSample &sample) :
     spacing(sample.spacing), corrects_mass(sample.coupling.correct_mass)
   {
     const auto stencil = make_stencil(sample.spacing, sample.horizon_ratio, sample.influence);

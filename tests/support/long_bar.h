@@ -26,7 +26,7 @@ public:
     auto short_bar       = bar(n_cells, 0, n_cells / 2, n);
     short_bar.coupling   = sample.coupling;
     short_bar.pad_layers = sample.pad_layers;
-    CoupledPlate plate(short_bar);
+    PlateModel plate(short_bar);
     const auto s          = plane_system(plate);
     spacing_              = {plate.spacing, plate.edge()};
     const auto first_node = std::find(s.is_point.begin(), s.is_point.end(), 0) - s.is_point.begin();
@@ -45,7 +45,7 @@ public:
       const int offset = i - n_points;
       const Side side  = offset < 0 ? points : nodes;
       x[i]    = side == points ? (offset + 0.5) * spacing_[points] : offset * spacing_[nodes];
-      mass[i] = offset == 0 ? s.mass[first_node] : CoupledPlate::density * spacing_[side];
+      mass[i] = offset == 0 ? s.mass[first_node] : PlateModel::density * spacing_[side];
       const auto add = [&](const int j, const double value)
       {
         if (j >= 0 && j < n_planes && std::abs(value) > negligible)

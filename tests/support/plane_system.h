@@ -39,7 +39,7 @@ inline CoupledSample bar(const int n_cells, const int low, const int high,
   return sample;
 }
 
-inline PlaneSystem plane_system(CoupledPlate &plate)
+inline PlaneSystem plane_system(PlateModel &plate)
 {
   const double dx     = plate.spacing;
   const double middle = 0.5 * section_points * dx; // of the section
@@ -76,7 +76,7 @@ inline PlaneSystem plane_system(CoupledPlate &plate)
   {
     result.x[i] = planes[i].x;
     result.is_point.push_back(planes[i].is_point);
-    result.mass[i] = planes[i].is_point ? CoupledPlate::density * dx
+    result.mass[i] = planes[i].is_point ? PlateModel::density * dx
                                         : elements.mass(static_cast<int>(planes[i].centre)) / area;
   }
   // Planes so far apart do not feel each other: one evaluation for a whole comb of them. Mesh and

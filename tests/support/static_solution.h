@@ -16,7 +16,7 @@ public:
   using Vector = Eigen::VectorXd; // three entries per free point, then per node
 
   /// `held`: components of nodes and points that keep their displacement.
-  StaticSolution(CoupledPlate &plate, const std::function<bool(const Vector3 &, int)> &held) :
+  StaticSolution(PlateModel &plate, const std::function<bool(const Vector3 &, int)> &held) :
     plate_(plate)
   {
     if (plate.corrects_mass)
@@ -151,7 +151,7 @@ private:
     return result;
   }
 
-  CoupledPlate &plate_;
+  PlateModel &plate_;
   std::vector<std::ptrdiff_t> points_;
   std::vector<int> nodes_;
   std::vector<Vector3> reference_; // [m]

@@ -23,7 +23,7 @@ double frequency(const int n_cells_thick, const int zone_length)
   sample.n_cells      = {n_cells_thick, 10 * n_cells_thick, n_cells_thick};
   sample.zone         = {{0, 0, 0}, {n_cells_thick, zone_length, n_cells_thick}};
   sample.mirror_y     = true;
-  CoupledPlate bar(sample);
+  PlateModel bar(sample);
   const double nu = sample.poisson_ratio, b = 1.8751 / length, sigma = 0.7341;
   const double small = 1e-6; // of the mode, whose end is at 2 [m]
   const auto w       = [&](const double y, const int derivative)
@@ -56,9 +56,9 @@ double frequency(const int n_cells_thick, const int zone_length)
     inertia +=
         elements.mass(node) * displacement(elements.mesh().reference_position(node)).squaredNorm();
   const double squared = 2. * (energies.strain + energies.hourglass) / inertia;
-  const double E       = CoupledPlate::modulus * (1. + nu) * (1. - 2. * nu) / (1. - nu);
+  const double E       = PlateModel::modulus * (1. + nu) * (1. - 2. * nu) / (1. - nu);
   return std::sqrt(squared) /
-         (b * b * std::sqrt(E / CoupledPlate::density) * thickness / std::sqrt(12.));
+         (b * b * std::sqrt(E / PlateModel::density) * thickness / std::sqrt(12.));
 }
 
 TEST(V11Cantilever, UpperBoundOfPointsAndElements)

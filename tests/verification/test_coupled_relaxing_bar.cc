@@ -18,7 +18,7 @@ struct Tractions
   double sideways;         // on the mid-plane of the points, normal to y
 };
 
-Tractions tractions(CoupledPlate &plate)
+Tractions tractions(PlateModel &plate)
 {
   const double h = plate.edge(), area = h * h, middle = 0.5 * section_points * plate.spacing;
   const double length   = plate.zone->n_cells()[0] * h;
@@ -66,7 +66,7 @@ TEST(CoupledRelaxingBar, CarriesThePronyStressAtAnyRateOnBothSides)
     auto sample                  = bar(16, 0, 8);
     sample.relaxation            = pmma;
     sample.coupling.correct_mass = false; // forces as they are
-    CoupledPlate plate(sample);
+    PlateModel plate(sample);
     plate.far->start_relaxation(dt);
     const auto &material = plate.points->material();
     PronyBar expected(material.bulk_modulus, material.shear_modulus, pmma, rate);

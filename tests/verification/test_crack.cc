@@ -37,7 +37,7 @@ Crack crack(const bool coupled, const int n_steps)
   sample.zone             = {{0, 0, low}, {coupled ? 16 : 48, 3, high}};
   sample.limit            = {{0, 0, low}, {48, 3, high}};
   sample.critical_stretch = critical;
-  CoupledPlate strip(sample);
+  PlateModel strip(sample);
   AdaptiveZone watch(MPI_COMM_SELF, *strip.far, {0.5 * critical, coupled});
 
   // Bonds across the notch: a plane that rises towards the middle of the strip.

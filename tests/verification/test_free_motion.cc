@@ -24,7 +24,7 @@ CoupledSample small_body(const int n_cells, const bool correct_mass)
   return sample;
 }
 
-double stable_step(CoupledPlate &plate)
+double stable_step(PlateModel &plate)
 {
   return 2. /
          std::sqrt(estimate_largest_frequency(MPI_COMM_SELF, *plate.far, 60).squared_frequency);
@@ -38,7 +38,7 @@ struct Drift // largest deviation from the start, relative
 /// Drifting and spinning about an oblique axis; the corners move at 0.02 c_P.
 Drift spin(const bool correct_mass, const int n_steps)
 {
-  CoupledPlate body(small_body(8, correct_mass));
+  PlateModel body(small_body(8, correct_mass));
   const double dt      = 0.9 * stable_step(body);
   const Vector3 centre = Vector3::Constant(8e-3), drift(3., -2., 1.), spin(500., 700., 1500.);
   body.set_velocity([&](const Vector3 &X) -> Vector3 { return drift + spin.cross(X - centre); });
@@ -97,7 +97,7 @@ struct Matrices
 {
   Eigen::MatrixXd K, inverse_mass; // [N/m], [1/kg]
 };
-Matrices matrices(CoupledPlate &body, CoupledPlate &lumped_body)
+Matrices matrices(PlateModel &body, PlateModel &lumped_body)
 {
   std::vector<std::pair<std::ptrdiff_t, int>> at; // point or -1, node
   std::vector<Vector3> reference;
@@ -157,7 +157,7 @@ Matrices matrices(CoupledPlate &body, CoupledPlate &lumped_body)
 /// Checks the matrices, and shakes the linear body with white noise for so many steps.
 void expect_conserving_matrices(const int n_steps)
 {
-  CoupledPlate body(small_body(6, true)), lumped(small_body(6, false));
+  PlateModel body(small_body(6, true)), lumped(small_body(6, false));
   auto [K, inverse_mass] = matrices(body, lumped);
   const auto n           = K.rows();
   // Forces come from one energy, and the corrected mass is symmetric too.
@@ -174,7 +174,7 @@ void expect_conserving_matrices(const int n_steps)
 
   // Leapfrog with these matrices, which are linear as
   // finite displacements are not: v- . M v+ + u . K u keeps its value.
-  CoupledPlate again(small_body(6, true));
+  PlateModel again(small_body(6, true));
   const double dt                                      = 0.9 * stable_step(again);
   const Eigen::SparseMatrix<double, Eigen::RowMajor> k = K.sparseView(1., 1e-8 * K.maxCoeff()),
                                                      w = inverse_mass.sparseView();
@@ -216,13 +216,13 @@ TEST(LongV4WhiteNoise, LinearBodyKeepsItsEnergyFor20000Steps)
 /// Energies of a body shaken by white noise, velocities up to `amplitude` c_P.
 std::vector<double> energies_after_noise(const double amplitude, const int n_steps)
 {
-  CoupledPlate body(small_body(6, true));
+  PlateModel body(small_body(6, true));
   const double dt    = 0.9 * stable_step(body);
   std::uint32_t seed = 1;
   const auto noise   = [&]
   {
     seed = seed * 1664525u + 1013904223u;
-    return amplitude * CoupledPlate::p_wave_speed * (seed / 2147483648. - 1.);
+    return amplitude * PlateModel::p_wave_speed * (seed / 2147483648. - 1.);
   };
   body.set_velocity(
       [&](const Vector3 &)

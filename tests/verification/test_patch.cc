@@ -20,7 +20,7 @@ CoupledSample block()
 }
 
 /// Largest ghost force per strain, in units of M eps h^2.
-std::array<double, 6> ghosts(CoupledPlate &plate, const double strain = 1e-6)
+std::array<double, 6> ghosts(PlateModel &plate, const double strain = 1e-6)
 {
   std::array<double, 6> result;
   const double h   = plate.edge();
@@ -36,14 +36,14 @@ std::array<double, 6> ghosts(CoupledPlate &plate, const double strain = 1e-6)
   {
     const auto F = strained(k, strain);
     plate.deform([&](const Vector3 &X) -> Vector3 { return F * X; });
-    result[k] = plate.largest_force(inner) / (CoupledPlate::modulus * strain * h * h);
+    result[k] = plate.largest_force(inner) / (PlateModel::modulus * strain * h * h);
   }
   return result;
 }
 
 /// Largest error of any strain in any element or cell of points, in units of the strain, after the
 /// plate has relaxed with its outermost nodes held under that strain.
-double worst_strain_error(CoupledPlate &plate, const int number)
+double worst_strain_error(PlateModel &plate, const int number)
 {
   const double strain = 1e-6, h = plate.edge();
   const auto F  = strained(number, strain);
@@ -81,20 +81,20 @@ CoupledSample bent_block()
   return sample;
 }
 
-void add_second_arm(CoupledPlate &plate)
+void add_second_arm(PlateModel &plate)
 {
   EXPECT_TRUE(plate.far->convert({{{5, 5, 5}, {8, 9, 7}}}));
 }
 
 TEST(V1Patch, GhostForcesOfABlockWithCorners)
 {
-  CoupledPlate plate(block());
+  PlateModel plate(block());
   const auto &report = plate.far->calibration();
   EXPECT_GT(report.ghost_before, 0.05) << "nothing to calibrate"; // the scaled C alone
   EXPECT_LT(report.n_iterations, 100);
   const auto measured    = ghosts(plate);
   // In units of sigma h^2: M eps h^2, and for shear mu gamma h^2.
-  const double mu_over_M = plate.points->material().shear_modulus / CoupledPlate::modulus;
+  const double mu_over_M = plate.points->material().shear_modulus / PlateModel::modulus;
   for (int k = 0; k < 6; ++k)
     EXPECT_LE(measured[k], 2e-3 * (k < 3 ? 1. : mu_over_M));
   // What calibration believes is what the bonds and elements do.
@@ -105,14 +105,14 @@ TEST(V1Patch, GhostForcesFallAsFarAsCalibrationIsAskedTo)
 {
   CoupledSample sample                  = block();
   sample.coupling.calibration.tolerance = 1e-5;
-  CoupledPlate plate(sample);
+  PlateModel plate(sample);
   for (const double ghost : ghosts(plate))
     EXPECT_LE(ghost, 1.1e-5);
 }
 
 TEST(V1Patch, StrainErrorOfABlockWithCorners)
 {
-  CoupledPlate plate(block());
+  PlateModel plate(block());
   for (int k = 0; k < 6; ++k)
     EXPECT_LE(worst_strain_error(plate, k), 2e-3) << "strain " << k;
 }
@@ -127,7 +127,7 @@ TEST(V1Patch, ElementsOfOneAndOfFourSpacings)
     sample.n_cells = {all, all, all};
     sample.zone    = {{outside, outside, outside},
                       {outside + inside, outside + inside, outside + inside}};
-    CoupledPlate plate(sample);
+    PlateModel plate(sample);
     for (const double ghost : ghosts(plate))
       EXPECT_LE(ghost, 2e-3) << n << " spacings";
     for (int k = 0; k < 6; ++k)
@@ -137,7 +137,7 @@ TEST(V1Patch, ElementsOfOneAndOfFourSpacings)
 
 TEST(V1Patch, ZoneWithReentrantEdges)
 {
-  CoupledPlate plate(bent_block());
+  PlateModel plate(bent_block());
   add_second_arm(plate);
   for (const double ghost : ghosts(plate))
     EXPECT_LE(ghost, 2e-3);
@@ -150,7 +150,7 @@ TEST(V1Patch, LargerZone)
   CoupledSample sample = block();
   sample.n_cells       = {20, 20, 20};
   sample.zone          = {{4, 4, 4}, {16, 16, 16}};
-  CoupledPlate plate(sample);
+  PlateModel plate(sample);
   for (const double ghost : ghosts(plate))
     EXPECT_LE(ghost, 2e-3);
   for (const int k : {0, 5})
@@ -163,7 +163,7 @@ TEST(V1Patch, OtherPoissonRatiosAndHorizons)
   {
     CoupledSample sample = block();
     sample.poisson_ratio = nu;
-    CoupledPlate plate(sample);
+    PlateModel plate(sample);
     for (const double ghost : ghosts(plate))
       EXPECT_LE(ghost, 2e-3) << "nu " << nu;
   }
@@ -172,7 +172,7 @@ TEST(V1Patch, OtherPoissonRatiosAndHorizons)
   sample.horizon_ratio = 4.;
   sample.n_cells       = {16, 16, 16};
   sample.zone          = {{6, 6, 6}, {10, 10, 10}};
-  CoupledPlate plate(sample);
+  PlateModel plate(sample);
   EXPECT_EQ(plate.zone->pad_layers(), 2);
   EXPECT_EQ(plate.zone->slaved_layers(), 4);
   for (const double ghost : ghosts(plate))
@@ -187,7 +187,7 @@ TEST(V1Patch, WithoutCalibrationTheBlendIsWrong)
   sample.coupling.method = CouplingMethod::energy_blend;
   sample.n_cells         = {18, 18, 18};
   sample.zone            = {{7, 7, 7}, {11, 11, 11}};
-  CoupledPlate plate(sample);
+  PlateModel plate(sample);
   double worst = 0.;
   for (const double ghost : ghosts(plate))
     worst = std::max(worst, ghost);
@@ -196,8 +196,8 @@ TEST(V1Patch, WithoutCalibrationTheBlendIsWrong)
 
 TEST(V2RigidMotion, TranslationAndQuarterTurnsCauseNoForce)
 {
-  CoupledPlate plate(block());
-  const double unit = CoupledPlate::modulus * plate.spacing * plate.spacing;
+  PlateModel plate(block());
+  const double unit = PlateModel::modulus * plate.spacing * plate.spacing;
   const auto all    = [](const Vector3 &) { return true; };
   const Vector3 far(0.7e-3, -1.3e-3, 2.1e-3);
   plate.deform([&](const Vector3 &X) -> Vector3 { return X + far; });

@@ -20,7 +20,7 @@ Eigen::Matrix3d strain_in_step(const int i)
 }
 
 /// Largest force on a free point or a node inside the plate, in units of M h^2 and the strain.
-double ghost_force(CoupledPlate &plate)
+double ghost_force(PlateModel &plate)
 {
   const double unit = 1e9 * 1e-6 * 4e-6;
   double worst      = 0.;
@@ -47,7 +47,7 @@ TEST(RelaxingPlate, UniformStrainStaysInEquilibriumAndThroughAConversion)
   CoupledSample sample;
   sample.relaxation            = series;
   sample.coupling.correct_mass = false; // forces as they are
-  CoupledPlate plate(sample), larger(sample), fresh(sample);
+  PlateModel plate(sample), larger(sample), fresh(sample);
   for (auto *one : {&plate, &larger, &fresh})
     one->far->start_relaxation(dt);
   const auto strained = [](const int i)

@@ -38,7 +38,7 @@ TEST(V5Bar, PointsElementsPointsStretchAsTheContinuum)
   // last plane; the outermost planes, soft by their missing bonds, are left out.
   auto sample         = lumped(bar(48, 0, 16));
   sample.more_of_zone = {{{32, 0, 0}, {48, section_points / 2, section_points / 2}}};
-  CoupledPlate plate(sample);
+  PlateModel plate(sample);
   const auto planes    = plane_system(plate);
   const auto n         = planes.size();
   Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
@@ -48,10 +48,10 @@ TEST(V5Bar, PointsElementsPointsStretchAsTheContinuum)
   EXPECT_TRUE(planes.is_point[a] && planes.is_point[b]);
   EXPECT_FALSE(planes.is_point[n / 2]);
   const double stretch = (u[b] - u[a]) / (planes.x[b] - planes.x[a]);
-  EXPECT_NEAR(stretch / (1e6 / CoupledPlate::modulus), 1., 5e-3);
+  EXPECT_NEAR(stretch / (1e6 / PlateModel::modulus), 1., 5e-3);
   // And everywhere in between.
   for (auto i = a; i < b; ++i)
-    EXPECT_NEAR((u[i + 1] - u[i]) / (planes.x[i + 1] - planes.x[i]) / (1e6 / CoupledPlate::modulus),
+    EXPECT_NEAR((u[i + 1] - u[i]) / (planes.x[i + 1] - planes.x[i]) / (1e6 / PlateModel::modulus),
                 1., 5e-3)
         << planes.x[i];
 }
@@ -59,16 +59,16 @@ TEST(V5Bar, PointsElementsPointsStretchAsTheContinuum)
 TEST(V6QuadraticPatch, BarUnderItsWeightSagsAsAParabola)
 {
   // Elements, points, elements between walls under a constant force per volume.
-  CoupledPlate plate(lumped(bar(48, 16, 32)));
+  PlateModel plate(lumped(bar(48, 16, 32)));
   const auto planes          = plane_system(plate);
   const auto n               = planes.size();
   const double b             = 1e9; // [N/m^3]
-  const Eigen::VectorXd load = b / CoupledPlate::density * planes.mass;
+  const Eigen::VectorXd load = b / PlateModel::density * planes.mass;
   const auto u               = solve(planes, load, {0, n - 1});
   const double L             = planes.x[n - 1];
-  const double largest       = b * L * L / (8. * CoupledPlate::modulus);
+  const double largest       = b * L * L / (8. * PlateModel::modulus);
   for (Eigen::Index i = 0; i < n; ++i)
-    EXPECT_NEAR(u[i], b * planes.x[i] * (L - planes.x[i]) / (2. * CoupledPlate::modulus),
+    EXPECT_NEAR(u[i], b * planes.x[i] * (L - planes.x[i]) / (2. * PlateModel::modulus),
                 1e-3 * largest)
         << planes.x[i];
 }
@@ -79,7 +79,7 @@ TEST(PlaneInterface, FrequenciesAreReal)
   {
     auto sample                  = bar(48, 16, 32);
     sample.coupling.correct_mass = correct_mass;
-    CoupledPlate plate(sample);
+    PlateModel plate(sample);
     const auto planes = plane_system(plate);
     if (!correct_mass)
     {
@@ -107,7 +107,7 @@ ColumnErrors column_errors(const int n_cells_thick)
   CoupledSample sample = lumped({});
   sample.n_cells       = {16, 14, n_cells_thick};
   sample.zone          = {{6, 5, 0}, {10, 9, n_cells_thick}};
-  CoupledPlate plate(sample);
+  PlateModel plate(sample);
   const double strain = 1e-6, h = plate.edge(), nu = sample.poisson_ratio;
   // Plane stress across the thickness, held along y.
   const Vector3 stretch = strain * Vector3(1., 0., -nu / (1. - nu));
@@ -163,7 +163,7 @@ TEST(V10Convergence, SineLoadIsOfSecondOrderInTheHorizon)
   // Static response to a sine load of wavelength lambda: b/(M k^2) in the continuum, b/(rho
   // omega^2) on the lattice, and its error falls as (delta/lambda)^2.1 down to the lattice's own
   // 0.1 per cent.
-  CoupledPlate plate(lumped(bar(48, 0, 24)));
+  PlateModel plate(lumped(bar(48, 0, 24)));
   const auto planes         = plane_system(plate);
   const Eigen::Index middle = 24;
   ASSERT_TRUE(planes.is_point[middle + 6]);
@@ -173,7 +173,7 @@ TEST(V10Convergence, SineLoadIsOfSecondOrderInTheHorizon)
     double squared = 0.; // omega^2, by 1 - cos: no cancellation
     for (int r = -6; r <= 6; ++r)
       squared += planes.acceleration(middle, middle + r) * (1. - std::cos(k * r * plate.spacing));
-    return std::pow(CoupledPlate::p_wave_speed * k, 2) / squared - 1.;
+    return std::pow(PlateModel::p_wave_speed * k, 2) / squared - 1.;
   };
   // Table of the method's study: 13.1, 3.1, 0.70, 0.10 per cent.
   EXPECT_NEAR(error(4.), 0.131, 0.001);

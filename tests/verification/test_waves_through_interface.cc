@@ -165,10 +165,10 @@ TEST(V7Waves, PulseArrivesAtTheSpeedOfTheContinuum)
     const double sign = from == LongBar::points ? 1. : -1.;
     bar.start(from, 0., width, -sign * way);
     const double incident = bar.energy(from);
-    const int n_steps     = static_cast<int>(2. * way / CoupledPlate::p_wave_speed / bar.dt());
+    const int n_steps     = static_cast<int>(2. * way / PlateModel::p_wave_speed / bar.dt());
     bar.run(n_steps);
     const double speed = (way + sign * bar.centre(to)) / (n_steps * bar.dt());
-    EXPECT_NEAR(speed / CoupledPlate::p_wave_speed, 1., 0.01);
+    EXPECT_NEAR(speed / PlateModel::p_wave_speed, 1., 0.01);
     EXPECT_LE(bar.energy(from) / incident, 2e-3);
   }
 }
