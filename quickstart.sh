@@ -2,16 +2,18 @@
 # From a fresh Debian 12 to a first result:
 #   ./quickstart.sh        installs what is missing, builds, runs prm/quickstart.prm on all cores
 #   ./quickstart.sh test   the same set-up, then the tests
+# Further arguments go to cmake: ./quickstart.sh test -D RICOCHET_WARNINGS_AS_ERRORS=ON
 set -euo pipefail
 cd "$(dirname "$0")"
 
 packages=(cmake g++ ninja-build libdeal.ii-dev libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libeigen3-dev
   libnanoflann-dev nlohmann-json3-dev libcli11-dev libgtest-dev python3-matplotlib python3-h5py)
 what=${1:-run}
+(($# == 0)) || shift
 case $what in
   run | test) ;;
   *)
-    echo "usage: $0 [test]" >&2
+    echo "usage: $0 [run | test] [argument of cmake]..." >&2
     exit 2
     ;;
 esac
@@ -37,7 +39,7 @@ fi
 echo "== building (release) into build/"
 tests=OFF
 [[ $what == test ]] && tests=ON
-cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DRICOCHET_TESTS=$tests >build.log 2>&1 || {
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DRICOCHET_TESTS=$tests "$@" >build.log 2>&1 || {
   cat build.log >&2
   exit 1
 }

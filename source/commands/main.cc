@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/version.h"
 #include "several_processes.h"
 
 #include <deal.II/base/mpi.h>
@@ -27,7 +28,7 @@ int exit_status(const Error &error)
 int main(int argc, char **argv)
 {
   CLI::App app("ricochet: oblique impact and penetration with peridynamics");
-  app.set_version_flag("--version", RICOCHET_VERSION);
+  app.set_version_flag("--version", version());
   const auto commands = declare_commands(app);
   std::exception_ptr complaint; // for when it is known which rank may speak
   try

@@ -7,6 +7,7 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
+#include "ricochet/base/version.h"
 #include "ricochet/output/field_writer.h"
 #include "ricochet/output/history.h"
 #include "ricochet/output/pictures.h"
@@ -76,7 +77,7 @@ public:
     records_due_(scene_.output.history_interval), frames_due_(scene_.output.frame_interval)
   {
     notes_.directory     = directory_.string();
-    notes_.version       = RICOCHET_VERSION;
+    notes_.version       = version();
     notes_.n_ranks       = size_of(communicator);
     notes_.n_points      = simulation.n_points();
     notes_.n_bonds       = damage_.n_bonds();

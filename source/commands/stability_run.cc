@@ -4,6 +4,7 @@
 #include "result_folder.h"
 #include "ricochet/base/number_text.h"
 #include "ricochet/base/units.h"
+#include "ricochet/base/version.h"
 #include "ricochet/output/summary.h"
 #include "ricochet/scene/stability_reader.h"
 #include "ricochet/simulation/stability_experiment.h"
@@ -61,7 +62,8 @@ nlohmann::ordered_json run_stability(const MPI_Comm communicator, const Paramete
       {"wall_seconds",
        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
       {"failed", false},
-      {"interrupted", false}};
+      {"interrupted", false},
+      {"version", version()}};
   write_summary(communicator, directory, summary);
   return summary;
 }

@@ -2,6 +2,7 @@
 #include "hdf5_file.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 
 #include <algorithm>
@@ -85,15 +86,15 @@ hid_t create_in_memory()
   return H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
 }
 
-void add_unit(const hid_t dataset, const std::string &unit)
+void add_text(const hid_t owner, const std::string &name, const std::string &text)
 {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a text type");
-  check(H5Tset_size(type, std::max<std::size_t>(unit.size(), 1)), "set the length of a unit");
-  check(H5Tset_cset(type, H5T_CSET_UTF8), "set the character set of a unit");
+  check(H5Tset_size(type, std::max<std::size_t>(text.size(), 1)), "set the length of " + name);
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "set the character set of " + name);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create a scalar");
-  const Handle attribute(H5Acreate2(dataset, "unit", type, space, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose, "create the attribute unit");
-  check(H5Awrite(attribute, type, unit.c_str()), "write the attribute unit");
+  const Handle attribute(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, "create the attribute " + name);
+  check(H5Awrite(attribute, type, text.c_str()), "write the attribute " + name);
 }
 
 template <typename Number>
@@ -123,7 +124,7 @@ void add_dataset(const hid_t file, const std::string &name, const std::vector<Nu
   if (n_rows > 0)
     check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
           "write the dataset " + name);
-  add_unit(dataset, unit);
+  add_text(dataset, "unit", unit);
 }
 } // namespace
 
@@ -132,7 +133,10 @@ struct Hdf5File::Handles
   Handle file{create_in_memory(), H5Fclose, "create a file in memory"};
 };
 
-Hdf5File::Hdf5File() : handles_(std::make_unique<Handles>()) {}
+Hdf5File::Hdf5File() : handles_(std::make_unique<Handles>())
+{
+  add_text(handles_->file, "ricochet_version", version());
+}
 
 Hdf5File::~Hdf5File() = default;
 

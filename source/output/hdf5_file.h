@@ -15,7 +15,8 @@ namespace ricochet
 class Hdf5File
 {
 public:
-  /// An empty file in memory. All functions throw FileError if HDF5 reports a failure.
+  /// A file in memory that holds nothing but the attribute "ricochet_version" of its root. All
+  /// functions throw FileError if HDF5 reports a failure.
   Hdf5File();
   ~Hdf5File();
 

@@ -3,6 +3,7 @@
 
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/number_text.h"
+#include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 
@@ -124,6 +125,15 @@ std::string piece_name(const std::string &part, const unsigned int number, const
 {
   return frame_name(part, number) + "." + with_zeros(rank, 3) + ".vtu";
 }
+/// The text of an XML file with a comment behind its declaration <?xml ... ?>, where XML allows it
+/// first: the version of ricochet.
+std::string signed_text(std::string xml)
+{
+  const std::size_t declaration = xml.find("?>");
+  xml.insert(declaration == std::string::npos ? 0 : declaration + 2,
+             "\n<!-- ricochet " + std::string(version()) + " -->");
+  return xml;
+}
 } // namespace
 
 VtuWriter::VtuWriter(const MPI_Comm comm, const std::filesystem::path &directory) :
@@ -144,7 +154,7 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
                   dealii::DataOutBase::write_vtu(patches_of(frame), column_names, vector_fields,
                                                  vtk_flags(time), piece);
                   write_file(directory_ / "vtu" / piece_name(name, number, rank_in(comm_)),
-                             piece.str());
+                             signed_text(piece.str()));
                 });
   const std::string record_name = "vtu/" + frame_name(name, number) + ".pvtu";
   on_first_rank(comm_,
@@ -156,7 +166,7 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
                   std::ostringstream record;
                   dealii::DataOutBase::write_pvtu_record(record, pieces, column_names,
                                                          vector_fields, vtk_flags(time));
-                  write_file(directory_ / record_name, record.str());
+                  write_file(directory_ / record_name, signed_text(record.str()));
                 });
   return record_name;
 }
@@ -185,7 +195,7 @@ void VtuWriter::write_projectile(const std::string &file, const double time,
 {
   std::ostringstream text;
   dealii::DataOutBase::write_vtu(patches_of(surface), {"body"}, {}, vtk_flags(time), text);
-  write_file(directory_ / file, text.str());
+  write_file(directory_ / file, signed_text(text.str()));
 }
 
 void VtuWriter::write_index() const
@@ -204,6 +214,6 @@ void VtuWriter::write_index() const
              << parts[part].first << "\" file=\"" << parts[part].second << "\"/>\n";
   }
   text << "  </Collection>\n</VTKFile>\n";
-  write_file(directory_ / "results.pvd", text.str());
+  write_file(directory_ / "results.pvd", signed_text(text.str()));
 }
 } // namespace ricochet

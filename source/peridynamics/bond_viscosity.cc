@@ -282,7 +282,7 @@ void BondViscosity::redistribute(const PlaneExchange &planes, const std::ptrdiff
   const auto move          = [&](auto &field, const double per_point)
   {
     auto moved = field;
-    moved.assign(static_cast<std::size_t>(size * per_point), 0);
+    moved.assign(static_cast<std::size_t>(static_cast<double>(size) * per_point), 0);
     planes.move(field.data(), moved.data(), per_point);
     field = std::move(moved);
   };
@@ -304,6 +304,8 @@ void BondViscosity::redistribute(const PlaneExchange &planes, const std::ptrdiff
 double BondViscosity::bytes_per_point() const
 {
   const double per_bond = single_history_.empty() ? sizeof(double) : sizeof(float);
-  return branches_.size() * (constants_.size() * per_bond + sizeof(double)) + 3 * sizeof(double);
+  const auto n_branches = static_cast<double>(branches_.size()),
+             n_bonds    = static_cast<double>(constants_.size());
+  return n_branches * (n_bonds * per_bond + sizeof(double)) + 3 * sizeof(double);
 }
 } // namespace ricochet

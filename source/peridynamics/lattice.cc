@@ -120,7 +120,7 @@ double Lattice::imbalance(const std::vector<int> &plane_starts) const
   for (std::size_t rank = 0; rank < n; ++rank)
     largest = std::max(largest, work[plane_starts[rank + 1] / zone_->points_per_edge()] -
                                     work[plane_starts[rank] / zone_->points_per_edge()]);
-  return largest * n / work.back();
+  return largest * static_cast<double>(n) / work.back();
 }
 
 void Lattice::take_share(const int rank)

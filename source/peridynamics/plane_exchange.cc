@@ -29,8 +29,9 @@ void PlaneExchange::move_bytes(const char *const from, char *const to,
   int rank, n_ranks;
   MPI_Comm_rank(communicator_, &rank);
   MPI_Comm_size(communicator_, &n_ranks);
-  const int reach         = from_.stencil().reach;
-  const std::size_t bytes = static_cast<std::size_t>(bytes_per_point * from_.plane_stride());
+  const int reach = from_.stencil().reach;
+  const std::size_t bytes =
+      static_cast<std::size_t>(bytes_per_point * static_cast<double>(from_.plane_stride()));
   const auto owned_before = [&](const int r) {
     return Planes{from_.plane_starts()[r], from_.plane_starts()[r + 1]};
   };

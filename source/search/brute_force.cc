@@ -66,8 +66,8 @@ private:
     families.add_to(sorted);
     const PairSink sink{[](void *target, const PointPair *found, const std::int64_t n)
                         {
-                          auto &all = *static_cast<std::vector<PointPair> *>(target);
-                          all.insert(all.end(), found, found + n);
+                          auto &list = *static_cast<std::vector<PointPair> *>(target);
+                          list.insert(list.end(), found, found + n);
                         },
                         &pairs};
     loops_.rows(sorted, n_rows, n_points, share.part, share.n_parts, sink);

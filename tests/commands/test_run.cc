@@ -2,10 +2,15 @@
 // From a parameter file to the summary: what a run says about stated times, plates and friction.
 #include "commands/run.h"
 
+#include "ricochet/base/version.h"
+
 #include "support/scratch_directory.h"
 #include "support/two_plates_text.h"
 
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <map>
 
 namespace ricochet
 {
@@ -79,6 +84,32 @@ TEST(Run, FinishedOnesAreNotOverwrittenUnasked)
   EXPECT_TRUE(contains(message_of([&] { run_scene(MPI_COMM_WORLD, file, options); }), "--force"));
   options.force = true;
   EXPECT_EQ(run_scene(MPI_COMM_WORLD, file, options)["failed"], false);
+}
+
+TEST(Run, EveryResultFileNamesTheVersion)
+{
+  const ScratchDirectory scratch;
+  const auto folder = scratch.path() / "results";
+  RunOptions options;
+  options.quiet = true;
+  const auto file =
+      two_plates_file(folder.string(), {"Output/ParaView files=true", "Time/Final time=2 us"});
+  const auto s = run_scene(MPI_COMM_WORLD, file, options);
+  EXPECT_EQ(s["version"], version());
+  if (rank() != 0)
+    return;
+  // A table has no place for it and parameters are not results; summary.json lies next to both.
+  std::map<std::string, int> files;
+  for (const auto &entry : std::filesystem::recursive_directory_iterator(folder))
+  {
+    const std::string kind = entry.path().extension();
+    if (!entry.is_regular_file() || kind == ".csv" || kind == ".prm")
+      continue;
+    EXPECT_TRUE(contains(read_text(entry.path()), version())) << entry.path();
+    ++files[kind];
+  }
+  for (const char *kind : {".json", ".h5", ".vtu", ".pvtu", ".pvd"})
+    EXPECT_GT(files[kind], 0) << kind;
 }
 
 TEST(Run, DescriptionHasTheNumbersOfItsSummary)

@@ -13,6 +13,7 @@ namespace ricochet
 class RigidBody
 {
 public:
+  /// Place, attitude and their rates.
   struct Motion
   {
     Vector3 position;               // of the centroid [m]
@@ -29,14 +30,15 @@ public:
   /// torque-free motion keeps the momentum exactly and the energy to second order in dt.
   void advance(const Vector3 &force, const Vector3 &moment, double kick, double drift);
 
-  const BodyOfRevolution &body() const { return body_; }
-  const Motion &motion() const { return motion_; }
-  double mass() const { return mass_; }
+  const BodyOfRevolution &body() const { return body_; }                  // its shape
+  const Motion &motion() const { return motion_; }                        // at present
+  double mass() const { return mass_; }                                   // [kg]
   Vector3 axis() const { return motion_.orientation * Vector3::UnitX(); } // towards the tip
   Vector3 angular_momentum() const { return angular_momentum_; } // about the centroid [kg m^2/s]
 
   /// Inclination of the axis to the plane z = 0, positive = nose up [rad].
   double pitch() const;
+  /// Velocity of the body's material at a point of space [m/s].
   Vector3 velocity_at(const Vector3 &point) const
   {
     return motion_.velocity + motion_.spin.cross(point - motion_.position);

@@ -43,6 +43,7 @@ private:
 class ElementDispersion
 {
 public:
+  /// `edge` of the cubes [m].
   ElementDispersion(double edge, const FiniteElementMaterial &material, Quadrature quadrature,
                     double hourglass_coefficient = 1.);
 
@@ -66,6 +67,7 @@ struct PredictedTimeStep
 {
   double points;   // of the infinite lattice; free faces and broken bonds only make it larger
   double elements; // of a free block of the smallest cubes; infinite without elements
+  /// The smaller of both [s].
   double step() const { return points < elements ? points : elements; }
 };
 

@@ -11,9 +11,10 @@
 
 namespace ricochet
 {
+/// The generating line of the nose.
 enum class NoseShape
 {
-  ogive,
+  ogive, // an arc tangent to the shank
   cone,
   hemisphere,
   flat,
@@ -23,6 +24,7 @@ enum class NoseShape
 class BodyOfRevolution
 {
 public:
+  /// What defines the body.
   struct Shape
   {
     NoseShape nose;
@@ -31,6 +33,7 @@ public:
     double nose_length; // [m]; diameter/2 for a hemisphere, 0 if flat, diameter for a sphere
   };
 
+  /// The parts of the surface.
   enum class Surface
   {
     base,
@@ -38,6 +41,7 @@ public:
     nose
   };
 
+  /// What is nearest to a point.
   struct Hit
   {
     double distance; // signed, negative inside [m]
@@ -52,7 +56,7 @@ public:
   /// Nearest surface point of a point given in body axes [m].
   Hit hit(const Vector3 &point) const;
 
-  const Shape &shape() const { return shape_; }
+  const Shape &shape() const { return shape_; }                     // as given
   double volume() const { return volume_; }                         // [m^3]
   double base_position() const { return -centroid_; }               // axial, from the centroid [m]
   double tip_position() const { return shape_.length - centroid_; } // axial, from the centroid [m]

@@ -11,6 +11,7 @@ namespace ricochet
 class FacetedSurface
 {
 public:
+  /// What is nearest to a point.
   struct Hit
   {
     double distance;               // signed, negative inside [m]
@@ -19,6 +20,7 @@ public:
     std::array<double, 4> weights; // the nearest point is the sum of these times the corners [-]
   };
 
+  /// The faces by their nodes, each counter-clockwise seen from outside; update() places them.
   explicit FacetedSurface(const std::vector<SurfaceQuad> &faces) : faces_(faces) {}
 
   /// Takes over the nodes' positions, three numbers each [m]; afterwards hit() finds what is nearer
@@ -30,7 +32,8 @@ public:
   /// The same at any distance, by a search of all faces.
   Hit nearest(const Vector3 &point) const;
 
-  const std::vector<SurfaceQuad> &faces() const { return faces_; }
+  const std::vector<SurfaceQuad> &faces() const { return faces_; } // as given
+  /// Position of a node at the last update() [m].
   Vector3 node(const int number) const
   {
     return Eigen::Map<const Vector3>(position_.data() + 3 * number);

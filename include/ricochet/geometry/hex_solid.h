@@ -26,10 +26,11 @@ double volume(const HexSolid &solid); // [m^3]
 /// Integrals over one cell by 2 x 2 x 2 Gauss points, which are exact for them.
 struct CellIntegrals
 {
-  double volume                        = 0.;
+  double volume                        = 0.;                                  // [m^3]
   Eigen::Matrix<double, 8, 3> gradient = Eigen::Matrix<double, 8, 3>::Zero(); // of dN_a/dX [m^2]
   Eigen::Matrix<double, 8, 1> shape    = Eigen::Matrix<double, 8, 1>::Zero(); // of N_a [m^3]
 };
+/// Of one cell.
 CellIntegrals integrals(const HexSolid &solid, int cell);
 
 /// The shape functions N_a at natural coordinates, -1 to 1 in the cell [-].

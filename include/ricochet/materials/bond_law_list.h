@@ -5,6 +5,7 @@
 #include "ricochet/materials/linear_peridynamic_solid.h"
 #include "ricochet/materials/microelastic_brittle.h"
 
+/// Calls LAW(name of the struct) for each law; the order numbers them.
 #define RICOCHET_BOND_LAWS(LAW)                                                                    \
   LAW(LinearPeridynamicSolid)                                                                      \
   LAW(MicroelasticBrittle)

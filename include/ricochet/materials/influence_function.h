@@ -17,13 +17,15 @@ enum class InfluenceFunction
   inverse
 };
 
+/// One line of the menu.
 struct InfluenceFunctionName
 {
-  InfluenceFunction function;
-  const char *name;
-  const char *formula;
+  InfluenceFunction function; // what it is
+  const char *name;           // in parameter files
+  const char *formula;        // of the bond's length r and the horizon delta
 };
 
+/// The menu.
 constexpr std::array<InfluenceFunctionName, 4> influence_functions{
     {{InfluenceFunction::cone, "cone", "1 - r/delta"},
      {InfluenceFunction::constant, "constant", "1"},

@@ -13,12 +13,13 @@ namespace ricochet
 {
 struct LinearPeridynamicSolid
 {
-  static constexpr const char *name    = "linear peridynamic solid";
-  static constexpr bool has_dilatation = true;
+  static constexpr const char *name    = "linear peridynamic solid"; // in parameter files
+  static constexpr bool has_dilatation = true;                       // theta enters the tension
 
   /// Poisson's ratio is free.
   static constexpr bool fixes_poisson_ratio = false;
 
+  /// Constants of a bond of a length [m] and an influence function [-].
   static BondConstants bond(const FamilyConstants &f, const double length, const double omega)
   {
     const double v2 = f.volume * f.volume;

@@ -10,24 +10,28 @@ namespace ricochet
 {
 struct MicroelasticBrittle
 {
-  static constexpr const char *name         = "microelastic brittle";
-  static constexpr bool has_dilatation      = false;
-  static constexpr bool fixes_poisson_ratio = true;
+  static constexpr const char *name         = "microelastic brittle"; // in parameter files
+  static constexpr bool has_dilatation      = false;                  // bonds know only themselves
+  static constexpr bool fixes_poisson_ratio = true;                   // at 1/4
 
+  /// Constants of a bond of a length [m] and an influence function [-].
   static BondConstants bond(const FamilyConstants &f, const double length, const double omega)
   {
     return {length, 0., 0., 0.,
             18. * f.bulk_modulus / f.first_moment * omega * f.volume * f.volume / length};
   }
 
+  /// Energy of a point per theta^2 [J]: none.
   static double point_stiffness(const FamilyConstants &) { return 0.; }
 
+  /// Tension of a bond [N] from its extension [m].
   template <class T>
   static T tension(const T &, const T &extension_stiffness, const T &extension, const T &)
   {
     return extension_stiffness * extension;
   }
 
+  /// Energy of a bond, both ends together [J].
   template <class T>
   static T bond_energy(const T &extension_stiffness, const T &extension)
   {

@@ -10,6 +10,7 @@
 
 namespace ricochet
 {
+/// The branches of mu(t); none: the material is elastic.
 using RelaxationSeries = std::vector<MaxwellBranch>;
 
 /// How the history of bonds is kept: single precision takes half the memory and traffic.
@@ -44,15 +45,16 @@ double relaxed_share(const RelaxationSeries &series, double t);
 /// A branch with theta_k above `slowness` times the duration of the run acts as elastic: it loses
 /// less than 1/slowness of its stress meanwhile.
 constexpr double slowness = 1000.;
+/// Whether it does, in a run of this duration [s].
 bool acts_as_elastic(const MaxwellBranch &branch, double duration);
 
 /// The branches that do relax within the duration [s]; the share of the others is then part of the
 /// equilibrium.
 RelaxationSeries relaxing_within(const RelaxationSeries &series, double duration);
 
+constexpr int max_maxwell_branches = 8; // of a series
 /// Throws InputError if a share is not above 0, all shares together reach 1, a time is not above 0,
 /// or there are more than max_maxwell_branches.
-constexpr int max_maxwell_branches = 8;
 void check_series(const RelaxationSeries &series);
 
 /// Throws InputError if a branch is shorter than the time step: the update stays exact, but such a

@@ -50,6 +50,7 @@ public:
   /// After bonds were broken and w theta of owned points is complete: takes broken bonds out of
   /// theta_b and fills volumetric() of owned points, which then goes to ghosts and images.
   void close_theta(const LatticeArrays &arrays, const BrokenBonds *broken, std::size_t n_broken);
+  /// What theta holds back, of all points [-]; see close_theta().
   double *volumetric() { return volumetric_.data(); }
   /// For the kernel; if this is no step, it leaves the history where it is.
   RelaxingBonds bonds(bool is_step);
@@ -63,8 +64,9 @@ public:
   /// Work that the branches have turned into heat so far [J]. Collective.
   double dissipated(MPI_Comm communicator) const { return dissipated_.total(communicator)[0]; }
 
+  /// Of the series.
   int n_branches() const { return static_cast<int>(branches_.size()); }
-  const std::vector<MaxwellStep> &branches() const { return branches_; }
+  const std::vector<MaxwellStep> &branches() const { return branches_; } // for the time step
   /// g of the bonds that the last close_theta() took out: per bond, in the order of the log and
   /// then of the lanes, one number per branch [m].
   const std::vector<double> &broken() const { return broken_; }
@@ -93,6 +95,7 @@ public:
   /// the new share's fields.
   void redistribute(const PlaneExchange &planes, std::ptrdiff_t size);
 
+  /// Memory of the history.
   double bytes_per_point() const;
 
 private:

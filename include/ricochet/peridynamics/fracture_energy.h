@@ -30,6 +30,7 @@ public:
   {
     double energy, n_bonds;
   };
+  /// Up to the last record().
   Total total(MPI_Comm communicator) const;
 
 private:

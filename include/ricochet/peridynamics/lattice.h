@@ -27,6 +27,7 @@ namespace ricochet
 class Lattice
 {
 public:
+  /// Where the points lie.
   struct Box
   {
     Vector3 corner;       // of lowest coordinates [m]; y = 0 with a mirror plane
@@ -37,7 +38,7 @@ public:
   /// Whether a point of the box is part of the body; arguments are its lattice coordinates.
   using Mask = std::function<bool(int, int, int)>;
 
-  static constexpr int block_size = 8;
+  static constexpr int block_size = 8; // points whose bonds share a byte
 
   /// Blocks first <= b < last.
   struct BlockRange
@@ -58,18 +59,21 @@ public:
   /// Work of the busiest rank, with these shares and the zone as it is now, over the mean [-].
   double imbalance(const std::vector<int> &plane_starts) const;
 
-  const Box &box() const { return box_; }
-  const Stencil &stencil() const { return stencil_; }
+  const Box &box() const { return box_; }             // of the whole body
+  const Stencil &stencil() const { return stencil_; } // of every point
 
-  std::ptrdiff_t plane_stride() const { return plane_stride_; }
-  std::ptrdiff_t row_stride() const { return row_stride_; }
+  std::ptrdiff_t plane_stride() const { return plane_stride_; } // from x to x + 1, in indices
+  std::ptrdiff_t row_stride() const { return row_stride_; }     // from z to z + 1, in indices
   std::ptrdiff_t size() const { return size_; }    // entries of a field array, padding included
   int n_planes() const { return n_planes_; }       // owned by this rank
   int first_plane() const { return first_plane_; } // global number of the first owned one
   /// First plane of every rank, and the number of planes as last entry.
   const std::vector<int> &plane_starts() const { return plane_starts_; }
+  /// Flat indices of owned planes: owned_begin() <= index < owned_end(), padding included.
   std::ptrdiff_t owned_begin() const { return stencil_.reach * plane_stride_; }
+  /// See owned_begin().
   std::ptrdiff_t owned_end() const { return (stencil_.reach + n_planes_) * plane_stride_; }
+  /// What is added to the index of a point to get that of its neighbour.
   std::ptrdiff_t shift(const Stencil::Offset &o) const
   {
     return o.x * plane_stride_ + o.z * row_stride_ + o.y;
@@ -77,6 +81,7 @@ public:
 
   /// Lattice coordinates of a flat index: x global, y negative for a mirror image.
   std::array<int, 3> coordinates(std::ptrdiff_t index) const;
+  /// The inverse of coordinates().
   std::ptrdiff_t index(int x, int y, int z) const;
   Vector3 reference_position(const std::array<int, 3> &coordinates) const; // [m]
   /// Global plane of an owned index.
@@ -91,6 +96,7 @@ public:
   bool owned(std::ptrdiff_t index) const { return (owned_[index / 8] >> (index % 8)) & 1; }
   /// 1 for owned points that are moved by their own forces: not slaved to finite elements.
   bool free(std::ptrdiff_t index) const { return (free_[index / 8] >> (index % 8)) & 1; }
+  /// Bits of free(), eight points a byte.
   const std::vector<std::uint8_t> &free_mask() const { return free_; }
 
   const Zone *zone() const { return zone_; } // null: all points are free
@@ -108,8 +114,9 @@ public:
   /// The same for the blocks first <= b < last only, into `bonds` of all blocks.
   void set_intact_bonds(std::int64_t first, std::int64_t last, std::uint8_t *bonds) const;
 
-  /// Blocks with any point, ghosts and images too; with any owned point.
+  /// Blocks with any point, ghosts and images too.
   const std::vector<BlockRange> &existing_ranges() const { return existing_ranges_; }
+  /// Blocks with any owned point.
   const std::vector<BlockRange> &owned_ranges() const { return owned_ranges_; }
   /// Calls visit(index) for the owned points in ascending order.
   template <class Visitor>
@@ -120,6 +127,7 @@ public:
   template <class Visitor>
   void for_each_image(Visitor &&visit) const;
 
+  /// Of this rank.
   std::int64_t n_owned_points() const { return n_owned_points_; }
 
 private:

@@ -26,6 +26,7 @@ public:
 
   /// Images across y = 0 take over position and velocity, or a scalar, of their originals.
   void mirror_motion(const Lattice &lattice);
+  /// See mirror_motion().
   void mirror(const Lattice &lattice, double *scalar) const;
 
 private:

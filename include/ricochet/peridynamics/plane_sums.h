@@ -15,11 +15,15 @@ template <int n_quantities>
 class PlaneSums
 {
 public:
+  /// What is summed.
   using Values = std::array<double, n_quantities>;
 
+  /// All zero; `n_planes` of the whole body.
   explicit PlaneSums(const int n_planes) : planes_(n_planes, Values{}) {}
 
+  /// Of a plane, by its global number.
   Values &operator[](const int plane) { return planes_[plane]; }
+  /// Back to zero.
   void clear() { std::fill(planes_.begin(), planes_.end(), Values{}); }
 
   /// Sum over planes and ranks. Collective.

@@ -14,6 +14,7 @@ namespace ricochet
 {
 struct Stencil
 {
+  /// One of the bonds.
   struct Offset
   {
     int x, y, z;   // in spacings; x > 0, or x = 0 and z > 0, or x = z = 0 and y > 0

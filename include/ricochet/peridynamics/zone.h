@@ -16,9 +16,10 @@
 
 namespace ricochet
 {
+/// What moves a point.
 enum class PointKind : std::uint8_t
 {
-  absent,
+  absent,  // there is none
   contact, // slaved, no bonds
   slaved,  // follows the nodes of its cell
   free     // moves by itself
@@ -43,26 +44,27 @@ public:
   {
     std::array<int, 3> low, high;
   };
+  /// Its numbers along x, y, z.
   using Cell = std::array<int, 3>;
 
-  static constexpr int usual_points_per_edge = 2;
+  static constexpr int usual_points_per_edge = 2; // of a cell
 
   /// `reach`: of the stencil, in points. `blend_layers`: width of the blend in cells; 0 with the
   /// step function takes what the horizon needs. `points_per_edge`: of a cell, 1, 2 or 4.
   Zone(const std::array<int, 3> &n_cells, int reach, BlendFunction blend = BlendFunction::step,
        int blend_layers = 0, int points_per_edge = usual_points_per_edge);
 
-  int points_per_edge() const { return points_per_edge_; }
+  int points_per_edge() const { return points_per_edge_; } // of a cell
 
-  const std::array<int, 3> &n_cells() const { return n_; }
-  int pad_layers() const { return pad_; }
-  int halo_layers() const { return halo_; }
-  int slaved_layers() const { return pad_ + halo_; }
+  const std::array<int, 3> &n_cells() const { return n_; } // of the plate
+  int pad_layers() const { return pad_; }                  // of cells
+  int halo_layers() const { return halo_; }                // of cells
+  int slaved_layers() const { return pad_ + halo_; }       // of cells
 
   /// The zone will never grow beyond these cells, the whole plate unless said otherwise: lattices
   /// need no room there. Must contain the zone as it is. Set before lattices are built.
   void set_limit(const Cells &limit) { limit_ = limit; }
-  const Cells &limit() const { return limit_; }
+  const Cells &limit() const { return limit_; } // see set_limit()
   /// Lattice coordinates low <= y < high of all points that may ever exist.
   std::array<int, 2> rows() const;
 
@@ -74,13 +76,18 @@ public:
 
   /// Layer of a cell: 0 in the zone, 1, 2 ... outwards; beyond the slaved ones, far().
   int layer(const Cell &cell) const { return layers_[number(cell)]; }
+  /// The layer of cells without points, but for contact.
   int far() const { return pad_ + halo_ + 1; }
+  /// Its points move by themselves.
   bool is_free(const Cell &cell) const { return layer(cell) == 0; }
+  /// Pad or halo.
   bool is_slaved(const Cell &cell) const { return layer(cell) > 0 && layer(cell) < far(); }
+  /// Its points are for contact alone.
   bool has_contact(const Cell &cell) const
   {
     return layer(cell) == far() && contact_[number(cell)] != 0;
   }
+  /// Whether the plate has such a cell.
   bool contains(const Cell &cell) const
   {
     for (int d = 0; d < 3; ++d)
@@ -113,14 +120,19 @@ public:
   /// Whether grow() would change anything.
   bool would_grow(const std::vector<Cells> &boxes) const;
 
+  /// Of a cell, in the order of for_each_cell().
   std::size_t number(const Cell &cell) const
   {
     return (static_cast<std::size_t>(cell[0]) * n_[1] + cell[1]) * n_[2] + cell[2];
   }
+  /// Cells whose points move by themselves.
   std::int64_t n_free_cells() const;
+  /// Cells of pad and halo.
   std::int64_t n_slaved_cells() const;
+  /// Cells of the plate.
   std::int64_t n_cells_in_all() const { return static_cast<std::int64_t>(layers_.size()); }
 
+  /// Calls visit(cell) for all cells of the plate.
   template <class Visitor>
   void for_each_cell(Visitor &&visit) const
   {

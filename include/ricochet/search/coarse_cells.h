@@ -16,8 +16,10 @@ namespace ricochet
 class CoarseCells
 {
 public:
+  /// `size`: edge of a cell [m].
   explicit CoarseCells(const double size) : size_(size), marked_(period * period * period, 0) {}
 
+  /// The cells within `margin` of x, along the axes [m].
   void mark(const Vector3 &x, const double margin)
   {
     const double low[3]  = {x[0] - margin, x[1] - margin, x[2] - margin},
@@ -29,6 +31,7 @@ public:
                return false;
              });
   }
+  /// Whether a cell of the box is marked; corners [m].
   bool any_marked(const double (&low)[3], const double (&high)[3])
   {
     return for_each(low, high, [](const char marked) { return marked != 0; });

@@ -16,8 +16,9 @@ namespace ricochet
 struct Families
 {
   std::vector<std::array<float, 3>> place; // per point; empty: there are no families
-  float squared_range = 0.f;
+  float squared_range = 0.f;               // of the places of a family
 
+  /// Whether the points number a and b belong to one family.
   bool share(const std::size_t a, const std::size_t b) const
   {
     if (place.empty())

@@ -39,6 +39,7 @@ private:
 class HybridSearch
 {
 public:
+  /// `method_inside`: that of each block, by its name in the menu of PairSearch. Collective.
   explicit HybridSearch(MPI_Comm communicator, const std::string &method_inside = "kd-tree");
 
   /**
@@ -55,8 +56,8 @@ public:
             const std::vector<std::int64_t> &ids, double radius);
 
   const std::vector<PointPair> &pairs() const { return pairs_; } // of points of the enlarged block
-  const std::vector<Vector3> &points() const { return points_; }
-  const std::vector<std::int64_t> &ids() const { return ids_; }
+  const std::vector<Vector3> &points() const { return points_; } // of the enlarged block [m]
+  const std::vector<std::int64_t> &ids() const { return ids_; }  // theirs
 
   /// Values of all points of the enlarged block, given those of the points handed to the last
   /// find(). Collective.

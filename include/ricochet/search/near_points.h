@@ -16,8 +16,10 @@ namespace ricochet
  * rank's first `n_asking` balls: all that do, and some more. Nothing for this rank itself.
  * Collective.
  *
+ * @param communicator Of all ranks that ask.
  * @param centres   Of this rank's balls [m]; one that is not finite overlaps none.
  * @param radii     [m]
+ * @param n_asking  As many of the first balls of this rank ask what is near.
  * @param cell      Edge of the coarse cells [m], the same on all ranks; best a few radii.
  */
 std::vector<std::vector<std::int32_t>> balls_near_other_ranks(MPI_Comm communicator,

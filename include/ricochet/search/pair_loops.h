@@ -12,14 +12,15 @@ namespace ricochet
 /// Two points by their numbers, in no particular order.
 struct PointPair
 {
-  int32_t first, second;
+  int32_t first;  // number of one
+  int32_t second; // and of the other
 };
 
 /// Points in the order in which they are to be compared. Arrays have `padding` readable entries
 /// behind the last point.
 struct SortedPoints
 {
-  static constexpr int padding = 16;
+  static constexpr int padding = 16; // entries that one loop looks at together
 
   const float *u[3];      // coordinates, in cells
   const int32_t *image;   // points with different ones may be further apart than their u; -1: is
@@ -28,29 +29,31 @@ struct SortedPoints
   const int32_t *number;  // of the caller
   const double *position; // x, y, z of the caller's point 0, 1, ... [m]
   double squared_radius;  // [m^2]
-  float sure, possible;   // squared distances [cells^2] below which a pair is, or may be, one
-  const float *place[3]      = {}; // see search/families.h; null: there are no families
-  float squared_family_range = 0.f;
+  float sure;             // squared distance below which a pair is one [cells^2]
+  float possible;         // and below which it may be one [cells^2]
+  const float *place[3]      = {};  // see search/families.h; null: there are no families
+  float squared_family_range = 0.f; // of the places of a family
 };
 
 /// The cells of a grid in the order z fastest, then y, then x. See search/cell_grid.h.
 struct CellTable
 {
-  const int32_t *begin; // first point of each cell, and one entry more
-  int32_t n[3];         // cells along x, y, z
-  bool wraps[3];        // whether the last cell's neighbour is the first one
-  int32_t next_image[3];
+  const int32_t *begin;  // first point of each cell, and one entry more
+  int32_t n[3];          // cells along x, y, z
+  bool wraps[3];         // whether the last cell's neighbour is the first one
+  int32_t next_image[3]; // what behind the last cell is added to the image, along x, y, z
 };
 
+/// Where the pairs go.
 struct PairSink
 {
-  void (*take)(void *target, const PointPair *pairs, int64_t n);
-  void *target;
+  void (*take)(void *target, const PointPair *pairs, int64_t n); // is called with n pairs at a time
+  void *target;                                                  // is handed to it
 };
 
 struct PairLoops
 {
-  const char *instruction_set;
+  const char *instruction_set; // that they are compiled for
 
   /// Pairs of each active point of the cells first ... last - 1 with the points behind it in its
   /// own cell and in half of the 26 neighbours, and with the inactive ones in the other half.

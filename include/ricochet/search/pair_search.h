@@ -15,16 +15,17 @@ namespace ricochet
 /// What a search knows of its points.
 struct SearchPoints
 {
-  const std::vector<Vector3> &position;
-  const std::vector<char> &active;
-  const Families &families;
+  const std::vector<Vector3> &position; // [m]
+  const std::vector<char> &active;      // as in PairSearch::find()
+  const Families &families;             // likewise
 };
 
 /// Part number `part` of `n_parts` parts of the work, which together find every pair once. Each
 /// needs all points.
 struct SearchShare
 {
-  int part = 0, n_parts = 1;
+  int part    = 0; // counted from 0
+  int n_parts = 1; // in all
 };
 
 class PairSearch
@@ -40,6 +41,7 @@ public:
    *                 interest. Empty: all are active.
    * @param radius   > 0 [m]; a pair exactly that far apart is none.
    * @param pairs    Is overwritten; what it has allocated is used again.
+   * @param share    Only this part of the pairs.
    * @param families Pairs within one are left out.
    */
   void find(const std::vector<Vector3> &points, const std::vector<char> &active, double radius,
@@ -51,10 +53,11 @@ private:
                       std::vector<PointPair> &pairs) const = 0;
 };
 
+/// One line of the menu.
 struct PairSearchEntry
 {
-  const char *name;
-  std::unique_ptr<PairSearch> (*make)();
+  const char *name;                      // in parameter files
+  std::unique_ptr<PairSearch> (*make)(); // a new one
 };
 
 /// The menu, the fastest first.
