@@ -16,6 +16,8 @@ namespace ricochet::tests
 {
 namespace
 {
+using OwnBodies = std::vector<std::unique_ptr<PeridynamicBody>>;
+
 constexpr double dx     = 1e-3;
 constexpr double factor = 15.;
 
@@ -63,7 +65,7 @@ struct Point
   int rank, flat;
 };
 
-std::vector<Point> all_points(const Bodies &bodies, const bool mirrored)
+std::vector<Point> all_points(const OwnBodies &bodies, const bool mirrored)
 {
   int rank, n_ranks;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -102,7 +104,7 @@ struct Reference
 };
 
 /// The law of contact/short_range_contact.h on the points of this rank, from all others.
-Reference reference_forces(const Bodies &bodies, const bool mirrored)
+Reference reference_forces(const OwnBodies &bodies, const bool mirrored)
 {
   int rank;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -165,9 +167,9 @@ Reference reference_forces(const Bodies &bodies, const bool mirrored)
   return result;
 }
 
-Bodies colliding_bodies(const Collision &collision)
+OwnBodies colliding_bodies(const Collision &collision)
 {
-  Bodies bodies;
+  OwnBodies bodies;
   for (int number = 0; number < collision.n_bodies; ++number)
   {
     BodySample sample;
@@ -199,7 +201,7 @@ Bodies colliding_bodies(const Collision &collision)
 
 /// Steps the bodies and compares every step with the double loop; returns the largest number of
 /// contacts.
-double expect_all_contacts(const Bodies &bodies, ShortRangeContact &debris, const bool mirrored,
+double expect_all_contacts(const OwnBodies &bodies, ShortRangeContact &debris, const bool mirrored,
                            const double dt, const int n_steps)
 {
   double most_touching = 0.;
@@ -264,7 +266,7 @@ TEST_P(ContactSearches, FragmentIsFeltBySoundMaterialFarFromAllDamage)
   {
     if (side < 0. && !collision.mirrored)
       continue;
-    Bodies bodies;
+    OwnBodies bodies;
     for (int number = 0; number < collision.n_bodies; ++number)
     {
       BodySample sample;

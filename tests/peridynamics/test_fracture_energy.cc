@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/base/exceptions.h"
 #include "ricochet/peridynamics/fracture_energy.h"
+#include "ricochet/simulation/plate_zone.h"
 #include "ricochet/simulation/simulation.h"
 #include "support/body.h"
 

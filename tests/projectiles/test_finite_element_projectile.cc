@@ -79,8 +79,8 @@ TEST_P(DeformableHalfModel, EqualsTheFullModelBeforeDamage)
   ASSERT_NEAR(half.dt(), full.dt(), 1e-15 * full.dt());
   for (int i = 0; i < 300; ++i)
   {
-    full.compute_internal_forces({true});
-    half.compute_internal_forces({true});
+    full.compute_forces(true);
+    half.compute_forces(true);
     if (i % 50 == 0 || i == 299)
     {
       const auto &f = full.projectile().motion(), &h = half.projectile().motion();

@@ -4,6 +4,7 @@
 #include "support/coupled_scene.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/simulation/plate_zone.h"
 
 #include <gtest/gtest.h>
 

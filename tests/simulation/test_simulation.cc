@@ -145,8 +145,8 @@ protected:
 
     for (int i = 0; i < n_steps; ++i)
     {
-      full.compute_internal_forces({true});
-      half.compute_internal_forces({true});
+      full.compute_forces(true);
+      half.compute_forces(true);
       if (i % 20 == 0)
       {
         const auto &f = full.projectile().motion(), &h = half.projectile().motion();

@@ -24,7 +24,7 @@ StabilityResult result_of(const CouplingMethod method, const double time_step = 
 TEST(V27Failures, CalibratedBlendKeepsItsEnergyAndTheStrain)
 {
   const auto result = result_of(CouplingMethod::calibrated_energy_blend);
-  EXPECT_EQ(result.verdict, Verdict::stable) << result.reason;
+  EXPECT_EQ(result.verdict, StabilityVerdict::stable) << result.reason;
   EXPECT_LT(std::abs(result.growth_per_step), 1e-4); // a hundredth of the worst noise below
   EXPECT_LT(result.energy_drift, 1e-5); // strains of 1e-6, and rounding of displacements of as much
   EXPECT_LT(result.patch.strain_error, 0.002); // V1
@@ -35,7 +35,7 @@ TEST(V27Failures, ForceBlendPassesThePatchTestAndDiverges)
   const auto result = result_of(CouplingMethod::force_blend);
   EXPECT_LT(result.patch.ghost_force, 1e-6);
   EXPECT_LT(result.patch.strain_error, 1e-6);
-  EXPECT_EQ(result.verdict, Verdict::unstable);
+  EXPECT_EQ(result.verdict, StabilityVerdict::unstable);
   // Recorded: 0.019 per step, at two thirds of the step, too; e-folding in 50 steps.
   EXPECT_GT(result.growth_per_step, 5e-3);
   EXPECT_GT(result_of(CouplingMethod::force_blend, 0.6).growth_per_step, 3e-3);
@@ -44,7 +44,7 @@ TEST(V27Failures, ForceBlendPassesThePatchTestAndDiverges)
 TEST(V27Failures, EnergyBlendWithoutCalibrationKeepsItsEnergyButNotTheStrain)
 {
   const auto result = result_of(CouplingMethod::energy_blend);
-  EXPECT_EQ(result.verdict, Verdict::inaccurate);
+  EXPECT_EQ(result.verdict, StabilityVerdict::inaccurate);
   EXPECT_LT(result.energy_drift, 1e-5);
   // Prototype: 11 % in two dimensions for the same width.
   EXPECT_GT(result.patch.strain_error, 0.05);
@@ -54,7 +54,7 @@ TEST(V27Failures, EnergyBlendWithoutCalibrationKeepsItsEnergyButNotTheStrain)
 TEST(V27Failures, NoBlendKeepsItsEnergyButNotTheStrain)
 {
   const auto result = result_of(CouplingMethod::none);
-  EXPECT_EQ(result.verdict, Verdict::inaccurate);
+  EXPECT_EQ(result.verdict, StabilityVerdict::inaccurate);
   EXPECT_LT(result.energy_drift, 1e-5);
   EXPECT_GT(result.patch.strain_error, 0.3);
 }
@@ -62,9 +62,9 @@ TEST(V27Failures, NoBlendKeepsItsEnergyButNotTheStrain)
 TEST(V27Failures, StepIsStableJustBelowTheLimitAndDivergesJustAbove)
 {
   const auto below = result_of(CouplingMethod::calibrated_energy_blend, 0.98);
-  EXPECT_EQ(below.verdict, Verdict::stable) << below.reason;
+  EXPECT_EQ(below.verdict, StabilityVerdict::stable) << below.reason;
   const auto above = result_of(CouplingMethod::calibrated_energy_blend, 1.05);
-  EXPECT_EQ(above.verdict, Verdict::unstable);
+  EXPECT_EQ(above.verdict, StabilityVerdict::unstable);
   // Beyond the limit r = 1.05 leapfrog multiplies the highest mode by -exp(2 acosh r) per step.
   EXPECT_NEAR(above.growth_per_step, 4. * std::acosh(1.05), 0.1);
 }
@@ -88,7 +88,7 @@ TEST(V27Failures, WithoutHourglassControlModesOfNoEnergyDrift)
   StabilityParameters parameters;
   parameters.hourglass_coefficient = 0.;
   const auto without               = run_stability_experiment(MPI_COMM_WORLD, parameters);
-  EXPECT_EQ(without.verdict, Verdict::unstable);
+  EXPECT_EQ(without.verdict, StabilityVerdict::unstable);
   // No force opposes them: they keep their velocity, so energy does not grow, but displacement
   // does, linearly, twice as far in twice the time.
   EXPECT_NEAR(without.hourglass_growth, 2., 0.02);
@@ -131,12 +131,12 @@ TEST(V27Failures, CalibrationWithoutClippingCanDiverge)
   parameters.influence                 = InfluenceFunction::constant;
   parameters.coupling.calibration.clip = false;
   const auto without                   = run_stability_experiment(MPI_COMM_WORLD, parameters);
-  EXPECT_EQ(without.verdict, Verdict::unstable);
+  EXPECT_EQ(without.verdict, StabilityVerdict::unstable);
   EXPECT_LT(without.smallest_eigenvalue, -0.02);
   EXPECT_GT(without.growth_per_step, 0.05); // recorded: 0.15
   parameters.coupling.calibration.clip = true;
   const auto with                      = run_stability_experiment(MPI_COMM_WORLD, parameters);
-  EXPECT_EQ(with.verdict, Verdict::inaccurate);
+  EXPECT_EQ(with.verdict, StabilityVerdict::inaccurate);
   EXPECT_LT(std::abs(with.growth_per_step), 1e-4);
 }
 

@@ -47,7 +47,7 @@ Drift spin(const bool correct_mass, const int n_steps)
   for (int step = 0; step <= n_steps; ++step)
   {
     const bool look = step % 50 == 0;
-    body.compute_internal_forces({look});
+    body.evaluate(look);
     if (look)
     {
       const double now   = body.far->energies(dt).held();
@@ -127,7 +127,7 @@ Matrices matrices(PlateModel &body, PlateModel &lumped_body)
   {
     coordinate(j) += amplitude;
     lumped_body.far->interpolate_to_slaved_points();
-    lumped_body.compute_internal_forces({false});
+    lumped_body.evaluate(false);
     coordinate(j) = reference[j / 3][j % 3];
     for (Eigen::Index i = 0; i < n; ++i)
     {
@@ -233,7 +233,7 @@ std::vector<double> energies_after_noise(const double amplitude, const int n_ste
   for (int step = 0; step <= n_steps; ++step)
   {
     const bool look = step % 100 == 0;
-    body.compute_internal_forces({look});
+    body.evaluate(look);
     if (look)
       result.push_back(body.far->energies(dt).held());
     body.advance(dt, dt);
