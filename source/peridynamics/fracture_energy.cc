@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "ricochet/peridynamics/fracture_energy.h"
+#include "fracture_energy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/peridynamics/peridynamic_body.h"
 
+#include "fracture_energy.h"
 #include "plane_exchange.h"
 #include "ricochet/base/exceptions.h"
-#include "ricochet/peridynamics/fracture_energy.h"
 #include "ricochet/peridynamics/plane_sums.h"
 
 #include <Eigen/Geometry>
@@ -301,7 +301,8 @@ void PeridynamicBody::compute_dilatation(const BondTable &table)
 {
   // Bonds between a ghost and an owned point are visited on both ranks: the sums of owned points
   // are then complete, and made in the same order as on one rank, without sending anything home.
-  auto &a = state_.arrays;
+  auto &a  = state_.arrays;
+  in_step_ = true;
   if (history_)
     history_->begin(a);
   state_.zero(lattice_, a.theta);
@@ -389,8 +390,13 @@ void PeridynamicBody::advance(const double kick, const double drift)
 {
   for (const auto &range : lattice_.owned_ranges())
     kernel_->advance(state_.arrays, range.first, range.last, kick / mass_, drift);
-  // A step ends here; looks between steps leave theta_before alone.
-  std::swap(state_.arrays.theta, state_.arrays.theta_before);
+  end_step();
+}
+
+void PeridynamicBody::end_step()
+{
+  if (std::exchange(in_step_, false))
+    std::swap(state_.arrays.theta, state_.arrays.theta_before);
 }
 
 Energies PeridynamicBody::energies(const double dt) const

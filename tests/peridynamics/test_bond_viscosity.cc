@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "peridynamics/fracture_energy.h"
 #include "ricochet/base/exceptions.h"
-#include "ricochet/peridynamics/fracture_energy.h"
 #include "support/body.h"
 #include "support/relaxing_families.h"
 
@@ -40,6 +40,7 @@ template <class Map>
 void step_to(PeridynamicBody &body, const double dt, Map &&map, const bool breaking = false)
 {
   auto &a = body.state().arrays;
+  body.end_step();
   for_each_point(body,
                  [&](const std::ptrdiff_t p)
                  {

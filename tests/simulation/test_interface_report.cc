@@ -47,16 +47,20 @@ TEST(InterfaceReport, OfPlatesWithoutElementsIsNone)
 TEST(InterfaceReport, IsGoodIfAllLimitsAreKept)
 {
   InterfaceReport report{};
-  report.step_limit = 2e-7;
-  report.time_step  = 1e-7;
+  report.patch.converged = true;
+  report.step_limit      = 2e-7;
+  report.time_step       = 1e-7;
   EXPECT_TRUE(report.good());
   report.patch.ghost_force = 1.01 * InterfaceReport::most_ghost_force;
   EXPECT_FALSE(report.good());
   report.patch              = {};
+  report.patch.converged    = true;
   report.patch.strain_error = 1.01 * InterfaceReport::most_strain_error;
   EXPECT_FALSE(report.good());
-  report.patch     = {};
-  report.time_step = report.step_limit;
+  report.patch = {};
+  EXPECT_FALSE(report.good()) << "not converged";
+  report.patch.converged = true;
+  report.time_step       = report.step_limit;
   EXPECT_FALSE(report.good());
 }
 } // namespace

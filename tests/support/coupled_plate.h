@@ -113,6 +113,7 @@ struct PlateModel
   template <class Map>
   void deform(Map &&map)
   {
+    points->end_step();
     for_each_free(
         [&](const std::ptrdiff_t p, const Vector3 &X)
         {

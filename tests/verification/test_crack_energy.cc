@@ -3,7 +3,7 @@
 // which the critical stretch was derived. A long strip in plane strain is pulled by its edges; a
 // crack runs along its middle. G is what a column of the strip far ahead holds, less what one far
 // behind holds between its grips: it is known and the same wherever the tip is.
-#include "ricochet/peridynamics/fracture_energy.h"
+#include "peridynamics/fracture_energy.h"
 #include "support/body.h"
 
 #include <gtest/gtest.h>

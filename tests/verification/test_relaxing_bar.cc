@@ -44,6 +44,7 @@ TEST(RelaxingBar, CarriesThePronyStressAtAnyRate)
     for (int i = 1; i <= n; ++i)
     {
       expected.advance(dt);
+      body->end_step();
       const double axial = scale * expected.strain(), lateral = scale * expected.lateral();
       for_each_point(
           *body,

@@ -80,6 +80,10 @@ public:
 
   /// Of the free points.
   void advance(double kick, double drift) override;
+  /// The dilatation of now becomes that of the step before, which fracture energy and relaxation
+  /// ask for: part of advance(), and for who moves the points by other means. Looks between steps
+  /// leave it alone; a second call does nothing.
+  void end_step();
 
   /// The energy of each point counts so many times, besides the zone's share of it: per point,
   /// images too [-]. Needs a zone, and one that neither grows nor moves between ranks: both start
@@ -180,6 +184,7 @@ private:
   std::vector<double> watched_theta_;
   std::size_t n_broken_ = 0;
   bool has_dilatation_  = false; // of the present positions, by break_bonds()
+  bool in_step_         = false; // a dilatation has been computed since the last end_step()
   std::unique_ptr<FractureEnergy> fracture_;
 };
 
