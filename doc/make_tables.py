@@ -24,10 +24,12 @@ def group(names):
     return " and ".join(code(name) for name in names)
 
 
+def any_of(words):
+    return " or ".join(filter(None, [", ".join(words[:-1]), words[-1]]))
+
+
 def condition(rule):
-    if "if" not in rule:
-        return ""
-    return f" with {code(rule['if']['entry'])} = {' or '.join(rule['if']['values'])}"
+    return f" with {code(rule['if']['entry'])} = {any_of(rule['if']['values'])}" if "if" in rule else ""
 
 
 def demand(entry):
