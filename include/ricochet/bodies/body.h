@@ -98,7 +98,7 @@ public:
   virtual void start_relaxation(double /*dt*/) {}
   virtual bool relaxes() const { return false; }
 
-  /// For largest_frequency(); null if the body is rigid.
+  /// For largest_frequency() (dynamics/largest_frequency.h); null if the body is rigid.
   virtual std::unique_ptr<Vibration> vibration() = 0;
 
   /// "The velocity of point (1, 2, 3)" if that is not a finite number, the first such of this rank;

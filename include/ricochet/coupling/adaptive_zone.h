@@ -13,7 +13,7 @@ namespace ricochet
 class AdaptiveZone
 {
 public:
-  /// With the usual time step waves cross less than the watched interface_band in so many steps.
+  /// With the usual time step waves cross less than the interface band in so many steps.
   static constexpr int steps_between_looks = 8;
 
   struct Parameters
@@ -26,8 +26,8 @@ public:
   /// `coupled_plate` and its points must outlive this object.
   AdaptiveZone(MPI_Comm communicator, CoupledPlate &coupled_plate, const Parameters &parameters);
 
-  /// Call once per step, before the points are evaluated, with ghosts up to date. Beyond `furthest`
-  /// along x nothing grows yet [m]. Returns whether elements became points. Collective.
+  /// Call once per step, before bonds break, with ghosts up to date. `time` and `dt` in s. Beyond
+  /// `furthest` along x nothing grows yet [m]. Returns whether elements became points. Collective.
   bool update(double time, double dt, double furthest = std::numeric_limits<double>::infinity());
 
   long n_conversions() const { return n_conversions_; }

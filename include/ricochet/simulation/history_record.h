@@ -23,10 +23,10 @@ struct Totals
   double relative_residual() const { return share(energies.residual()); }
 };
 
-/// Between evaluate(true) and advance(). Collective.
+/// Between compute_forces(true) and advance(). Collective.
 Totals totals_of(const Simulation &simulation);
 
-/// What a record is computed from: a simulation between evaluate(true) and advance().
+/// What a record is computed from: a simulation between compute_forces(true) and advance().
 struct Moment
 {
   const Simulation &simulation;

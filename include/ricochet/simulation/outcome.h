@@ -44,7 +44,7 @@ class OutcomeWatch
 public:
   explicit OutcomeWatch(const Simulation &simulation);
 
-  /// Call once per step, after evaluate().
+  /// Call once per step, after Simulation::compute_forces().
   void update();
 
   /// The projectile is clear of the undeformed target, moves away from it and has touched nothing,
