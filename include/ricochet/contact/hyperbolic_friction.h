@@ -13,8 +13,9 @@ namespace ricochet
 class HyperbolicFriction : public FrictionLaw
 {
 public:
-  static constexpr const char *name = "hyperbolic";
+  static constexpr const char *name = "hyperbolic"; // in parameter files
 
+  /// The constants of the law.
   struct Parameters
   {
     double static_coefficient;  // mu_0, at rest [-]
@@ -22,10 +23,12 @@ public:
     double decay;               // gamma [s/m]
   };
 
+  /// Their entries in parameter files.
   static constexpr EntryRow<Parameters> entries[] = {
       static_friction(&Parameters::static_coefficient),
       kinetic_friction(&Parameters::kinetic_coefficient), friction_decay(&Parameters::decay)};
 
+  /// The constants keep the limits of their entries.
   explicit HyperbolicFriction(const Parameters &parameters) :
     mu_0(parameters.static_coefficient), mu_inf(parameters.kinetic_coefficient),
     gamma(parameters.decay)

@@ -16,10 +16,11 @@ public:
   /// With the usual time step waves cross less than the interface band in so many steps.
   static constexpr int steps_between_looks = 8;
 
+  /// When and whether the zone grows.
   struct Parameters
   {
-    double stretch; // of a bond, at which damage is expected [-]
-    bool adaptive;
+    double stretch;        // of a bond, at which damage is expected [-]
+    bool adaptive;         // whether it grows at all
     bool rebalance = true; // whether ranks share the points anew as the zone grows
   };
 
@@ -30,7 +31,7 @@ public:
   /// `furthest` along x nothing grows yet [m]. Returns whether elements became points. Collective.
   bool update(double time, double dt, double furthest = std::numeric_limits<double>::infinity());
 
-  long n_conversions() const { return n_conversions_; }
+  long n_conversions() const { return n_conversions_; }         // how often elements became points
   long n_redistributions() const { return n_redistributions_; } // of points over the ranks
   /// Energy lost in conversions so far, of the plate as computed [J]: lumped masses hold more
   /// kinetic energy than the points they become.
