@@ -11,11 +11,11 @@ namespace ricochet
 template <class Parameters>
 struct EntryRow
 {
-  const char *name; // laws of one list may share it, then with the same meaning
-  double Parameters::*member;
-  Dimension dimension;
-  Limit limit;
-  const char *example; // "0.01 s/m"
-  const char *meaning; // half a sentence, "Friction coefficient at rest"
+  const char *name;           // laws of one list may share it, then with the same meaning
+  double Parameters::*member; // takes the value, in SI
+  Dimension dimension;        // what kind of quantity
+  Limit limit;                // which values it may take
+  const char *example;        // "0.01 s/m"
+  const char *meaning;        // half a sentence, "Friction coefficient at rest"
 };
 } // namespace ricochet

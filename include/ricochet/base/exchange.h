@@ -15,7 +15,8 @@
 namespace ricochet
 {
 /// Entry r of the result is what rank r had in its entry for this rank. `lists` has one entry per
-/// rank. Collective.
+/// rank, of any length. Throws std::length_error, on the rank that asks for it alone, if a list
+/// takes more than 2 GiB: messages count their bytes with an int. Collective.
 template <class Item>
 std::vector<std::vector<Item>> exchange_lists(const MPI_Comm communicator,
                                               const std::vector<std::vector<Item>> &lists)

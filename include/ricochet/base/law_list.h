@@ -27,10 +27,13 @@ struct LawList
     (f(static_cast<const Laws *>(nullptr)), ...);
   }
 
+  /// Of all laws, in the order of the list.
   static std::vector<std::string> names() { return {Laws::name...}; }
 
+  /// Of the law whose constants these are.
   static std::string name(const Parameters &parameters) { return names()[parameters.index()]; }
 
+  /// That law.
   static std::unique_ptr<Interface> make(const Parameters &parameters)
   {
     std::unique_ptr<Interface> made;

@@ -8,9 +8,10 @@
 
 namespace ricochet::voigt
 {
-constexpr int n      = 6;
+constexpr int n            = 6; // components
 /// Row and column of each of the six; row <= column.
-constexpr int row[n] = {0, 1, 2, 1, 0, 0}, column[n] = {0, 1, 2, 2, 2, 1};
+constexpr int row[n]       = {0, 1, 2, 1, 0, 0};
+constexpr int column[n]    = {0, 1, 2, 2, 2, 1}; // see row
 /// Position of a component among the six: number[i][j] = number[j][i].
 constexpr int number[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
 /// 23, 13, 12.

@@ -17,7 +17,7 @@ namespace ricochet
 /// What a body holds and what it has given away so far [J].
 struct Energies
 {
-  double kinetic    = 0.;
+  double kinetic    = 0.; // see Body::energies()
   double strain     = 0.; // in intact bonds and elements
   double hourglass  = 0.; // in the hourglass modes of one-point elements
   double fracture   = 0.; // released by broken bonds so far
@@ -25,19 +25,24 @@ struct Energies
   double absorbed   = 0.; // by edges that do not reflect, so far
   double conversion = 0.; // lost so far where elements became points
 
+  /// Entry by entry.
   Energies &operator+=(const Energies &other);
   /// What it holds now: the sum that the scheme conserves while nothing breaks or relaxes.
   double held() const { return kinetic + strain + hourglass; }
 };
+/// Entry by entry.
 Energies operator*(double factor, const Energies &energies);
 
+/// Of a body or several.
 struct Momenta
 {
   Vector3 linear  = Vector3::Zero(); // [kg m/s]
   Vector3 angular = Vector3::Zero(); // about the origin [kg m^2/s]
 
+  /// Entry by entry.
   Momenta &operator+=(const Momenta &other);
 };
+/// Entry by entry.
 Momenta operator*(double factor, const Momenta &momenta);
 
 class Body
@@ -55,6 +60,7 @@ public:
   /// the motion.
   virtual void update_ghosts() {}
 
+  /// What a body must know to prepare for what comes.
   struct Outlook
   {
     double time, dt; // of the present state, and the step that led there [s]
@@ -70,6 +76,7 @@ public:
   /// [s].
   virtual void book_fracture(double /*dt*/) {}
 
+  /// What the forces are computed for.
   struct ForceRequest
   {
     bool energy  = false; // the stored energies too
@@ -96,9 +103,10 @@ public:
   /// the body is elastic with the instantaneous moduli. Throws InputError if a branch cannot be
   /// used so.
   virtual void start_relaxation(double /*dt*/) {}
+  /// Whether the material relaxes from now on.
   virtual bool relaxes() const { return false; }
 
-  /// For largest_frequency(); null if the body is rigid.
+  /// For largest_frequency() (dynamics/largest_frequency.h); null if the body is rigid.
   virtual std::unique_ptr<Vibration> vibration() = 0;
 
   /// "The velocity of point (1, 2, 3)" if that is not a finite number, the first such of this rank;

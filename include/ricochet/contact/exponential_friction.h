@@ -12,8 +12,9 @@ namespace ricochet
 class ExponentialFriction : public FrictionLaw
 {
 public:
-  static constexpr const char *name = "exponential";
+  static constexpr const char *name = "exponential"; // in parameter files
 
+  /// The constants of the law.
   struct Parameters
   {
     double static_coefficient;  // mu_0, at rest [-]
@@ -21,10 +22,12 @@ public:
     double decay;               // gamma [s/m]
   };
 
+  /// Their entries in parameter files.
   static constexpr EntryRow<Parameters> entries[] = {
       static_friction(&Parameters::static_coefficient),
       kinetic_friction(&Parameters::kinetic_coefficient), friction_decay(&Parameters::decay)};
 
+  /// The constants keep the limits of their entries.
   explicit ExponentialFriction(const Parameters &parameters) :
     mu_0(parameters.static_coefficient), mu_inf(parameters.kinetic_coefficient),
     gamma(parameters.decay)

@@ -18,8 +18,9 @@ namespace ricochet
 class FlashHeatingFriction : public FrictionLaw
 {
 public:
-  static constexpr const char *name = "flash heating";
+  static constexpr const char *name = "flash heating"; // in parameter files
 
+  /// The constants of the law.
   struct Parameters
   {
     double static_coefficient;  // mu_0, at rest [-]
@@ -27,12 +28,14 @@ public:
     double weakening_speed;     // V_w [m/s]
   };
 
+  /// Their entries in parameter files.
   static constexpr EntryRow<Parameters> entries[] = {
       static_friction(&Parameters::static_coefficient),
       kinetic_friction(&Parameters::kinetic_coefficient),
       {"Weakening speed", &Parameters::weakening_speed, Dimension::speed, Limit::positive, "1 m/s",
        "Sliding speed above which asperities soften by their own heat"}};
 
+  /// The constants keep the limits of their entries.
   explicit FlashHeatingFriction(const Parameters &parameters) :
     mu_0(parameters.static_coefficient), mu_w(parameters.kinetic_coefficient),
     V_w(parameters.weakening_speed)

@@ -19,6 +19,7 @@ public:
 
 // Constants that several laws have, each for its own member.
 
+/// mu_0, at rest [-].
 template <class Parameters>
 constexpr EntryRow<Parameters> static_friction(double Parameters::*member)
 {
@@ -26,6 +27,7 @@ constexpr EntryRow<Parameters> static_friction(double Parameters::*member)
           Limit::not_negative, "0.5",  "Friction coefficient at rest"};
 }
 
+/// mu at high speed [-].
 template <class Parameters>
 constexpr EntryRow<Parameters> kinetic_friction(double Parameters::*member)
 {
@@ -33,6 +35,7 @@ constexpr EntryRow<Parameters> kinetic_friction(double Parameters::*member)
           Limit::not_negative, "0.05", "Friction coefficient at high speed"};
 }
 
+/// gamma, how fast it falls from the one to the other [s/m].
 template <class Parameters>
 constexpr EntryRow<Parameters> friction_decay(double Parameters::*member)
 {

@@ -10,6 +10,7 @@
 
 namespace ricochet
 {
+/// All of them, in the order in which they are listed to the user.
 // clang-format off
 using FrictionLaws = LawList<FrictionLaw,
   ExponentialFriction,
@@ -21,6 +22,7 @@ using FrictionLaws = LawList<FrictionLaw,
 /// The constants of one law, ConstantFriction::Parameters{0.2}.
 using FrictionParameters = FrictionLaws::Parameters;
 
+/// The law whose constants these are.
 inline std::unique_ptr<FrictionLaw> make_friction_law(const FrictionParameters &parameters)
 {
   return FrictionLaws::make(parameters);

@@ -16,7 +16,7 @@ namespace ricochet
 class RigidContact
 {
 public:
-  using Parameters = PairLaw<double>;
+  using Parameters = PairLaw<double>; // of each pair
 
   /// `law` must outlive this object. `mirrored`: y = 0 is a symmetry plane. `n_planes`: of the
   /// plate's lattice.

@@ -27,6 +27,7 @@ class ContactPairs;
 class ShortRangeContact : public Interaction
 {
 public:
+  /// Of points on points.
   struct Friction
   {
     const FrictionLaw *law = nullptr; // outlives the contact; none: frictionless
@@ -39,6 +40,7 @@ public:
   /// a symmetry plane. `search`: one of contact_search_names(); throws InputError for another one.
   ShortRangeContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
                     const std::string &search = "linked cells");
+  /// The same with friction.
   ShortRangeContact(MPI_Comm communicator, const Bodies &bodies, double factor, bool mirrored,
                     const std::string &search, const Friction &friction);
   ~ShortRangeContact() override;
@@ -64,7 +66,7 @@ public:
   void bodies_changed() override;
   /// How often all pairs have been searched, and how many points have been searched alone.
   long n_searches() const;
-  long n_single_searches() const;
+  long n_single_searches() const; // so far, on this rank
 
   /// Upper bound of the squared frequency which this contact adds to a point of the body [1/s^2].
   double squared_frequency(const PeridynamicBody &body) const;

@@ -32,7 +32,7 @@ struct SurfaceNodes
 class SurfaceContact
 {
 public:
-  using Parameters = PairLaw<double>;
+  using Parameters = PairLaw<double>; // of each pair
 
   /// Arguments as for RigidContact. `is_shank`: of each face of the surface.
   SurfaceContact(MPI_Comm communicator, const FrictionLaw &law, const Parameters &parameters,

@@ -18,7 +18,7 @@ public:
   bool adapt(const Outlook &outlook) override;
   Energies energies(double dt) const override;
 
-  const AdaptiveZone &adaptive_zone() const { return adaptive_zone_; }
+  const AdaptiveZone &adaptive_zone() const { return adaptive_zone_; } // what became of the zone
 
 private:
   double growth_ahead_;

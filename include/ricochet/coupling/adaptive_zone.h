@@ -13,24 +13,25 @@ namespace ricochet
 class AdaptiveZone
 {
 public:
-  /// With the usual time step waves cross less than the watched interface_band in so many steps.
+  /// With the usual time step waves cross less than the interface band in so many steps.
   static constexpr int steps_between_looks = 8;
 
+  /// When and whether the zone grows.
   struct Parameters
   {
-    double stretch; // of a bond, at which damage is expected [-]
-    bool adaptive;
+    double stretch;        // of a bond, at which damage is expected [-]
+    bool adaptive;         // whether it grows at all
     bool rebalance = true; // whether ranks share the points anew as the zone grows
   };
 
   /// `coupled_plate` and its points must outlive this object.
   AdaptiveZone(MPI_Comm communicator, CoupledPlate &coupled_plate, const Parameters &parameters);
 
-  /// Call once per step, before the points are evaluated, with ghosts up to date. Beyond `furthest`
-  /// along x nothing grows yet [m]. Returns whether elements became points. Collective.
+  /// Call once per step, before bonds break, with ghosts up to date. `time` and `dt` in s. Beyond
+  /// `furthest` along x nothing grows yet [m]. Returns whether elements became points. Collective.
   bool update(double time, double dt, double furthest = std::numeric_limits<double>::infinity());
 
-  long n_conversions() const { return n_conversions_; }
+  long n_conversions() const { return n_conversions_; }         // how often elements became points
   long n_redistributions() const { return n_redistributions_; } // of points over the ranks
   /// Energy lost in conversions so far, of the plate as computed [J]: lumped masses hold more
   /// kinetic energy than the points they become.

@@ -28,14 +28,15 @@ namespace ricochet
 class CalibratedElements;
 struct NodalForces;
 
+/// How well the tensors fit.
 struct CalibrationReport
 {
   // Largest force at a node under a unit strain, in units of M h^2, M = K + 4 mu/3 [-].
   double ghost_before        = 0.; // of the scaled C alone
-  double ghost_after         = 0.;
+  double ghost_after         = 0.; // of what was found
   double smallest_eigenvalue = 0.; // of any C_g before it is made non-negative, if negative [M]
-  int n_iterations           = 0;
-  std::int64_t n_elements    = 0;
+  int n_iterations           = 0;  // of the least squares
+  std::int64_t n_elements    = 0;  // with tensors of their own, over all ranks
 };
 
 class Calibration

@@ -34,18 +34,21 @@ int mending_range(const Stencil &stencil);
 /// Parts of a material's moduli: forces and stiffness are linear in them.
 struct ElasticModuli
 {
-  double bulk, shear; // K, mu [Pa]
+  double bulk;  // K [Pa]
+  double shear; // mu [Pa]
 };
 
 class CellForces
 {
 public:
+  /// What the bonds of one cell's points do.
   struct Entry
   {
     std::array<StrainForces, 8> corner; // forces [N]
     double stress_share; // of the bonds of the cell's points, of that in the bulk [-]
   };
 
+  /// The points must have a zone and outlive this object.
   CellForces(const PeridynamicBody &points, const ElasticModuli &moduli);
 
   /// `pattern` of the cell, which lies in the pad or the halo. Remembers what it has computed.

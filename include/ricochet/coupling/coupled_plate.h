@@ -10,11 +10,12 @@
 
 namespace ricochet
 {
+/// What of a coupled plate can be chosen.
 struct CoupledPlateOptions
 {
-  CouplingParameters coupling;
-  Quadrature quadrature        = Quadrature::one_point;
-  double hourglass_coefficient = 1.;    // see FiniteElementBody::Options
+  CouplingParameters coupling;                          // how points and elements are tied
+  Quadrature quadrature        = Quadrature::one_point; // of elements with the material's moduli
+  double hourglass_coefficient = 1.;                    // see FiniteElementBody::Options
   int coarsening_levels        = 0;     // the largest cubes have 2^levels times the edge of a cell
   bool absorbing_edges         = false; // dashpots at the side faces, along x and y
   Zone::Cells fine_region{};            // cubes have the size of cells here, and two cells around
@@ -66,15 +67,18 @@ public:
   /// elements stay where they are. Call between steps. Returns whether they were. Collective.
   bool rebalance();
 
-  const Zone &zone() const { return *zone_; }
-  PeridynamicBody &points() { return *points_; }
-  const PeridynamicBody &points() const { return *points_; }
-  FiniteElementBody &elements() { return elements_; }
-  const FiniteElementBody &elements() const { return elements_; }
+  const Zone &zone() const { return *zone_; }                // which part is points
+  PeridynamicBody &points() { return *points_; }             // in and around the zone
+  const PeridynamicBody &points() const { return *points_; } // likewise
+  FiniteElementBody &elements()
+  {
+    return elements_;
+  } // of the whole plate, those in the zone not active
+  const FiniteElementBody &elements() const { return elements_; } // likewise
   /// With relaxation the worse of the two parts, each in units of its own M.
   CalibrationReport calibration() const;
-  const CoupledPlateOptions &options() const { return options_; }
-  MPI_Comm communicator() const { return communicator_; }
+  const CoupledPlateOptions &options() const { return options_; } // as given
+  MPI_Comm communicator() const { return communicator_; }         // of all ranks that have a share
 
 private:
   void build_interface();

@@ -28,6 +28,7 @@ namespace ricochet
 class CoupledProjectileBody : public Body
 {
 public:
+  /// What the body is made of.
   struct Parameters
   {
     double spacing; // of the points, dx [m]
@@ -59,6 +60,7 @@ public:
     std::vector<std::pair<int, double>> follows;
   };
 
+  /// Where points follow elements.
   struct Overlap
   {
     double length  = 0.; // of pad and halo along the axis [m]
@@ -92,9 +94,13 @@ public:
   std::string first_not_finite() const override;
 
   const std::vector<MassPoint> &mass_points() const { return mass_points_; } // points, then nodes
-  const std::vector<Point> &points() const { return points_; }
+  const std::vector<Point> &points() const
+  {
+    return points_;
+  } // all of the lattice, slaved ones too
   /// The mass point that is this node of the mesh; -1 if no element has it.
   int mass_point_of(const int node) const { return node_[node]; }
+  /// Behind the points; 0 if all is points.
   int n_elements() const
   {
     return elements_ ? static_cast<int>(elements_->solid().cells.size()) : 0;
@@ -103,7 +109,7 @@ public:
   double mass() const { return mass_; }                                    // [kg]
   /// Axial position where elements end and free points begin; the base without elements [m].
   double interface() const { return interface_; }
-  const Overlap &overlap() const { return overlap_; }
+  const Overlap &overlap() const { return overlap_; } // how well points and elements fit
   const HexahedralBody *elements() const { return elements_.get(); } // null if there are none
 
 private:

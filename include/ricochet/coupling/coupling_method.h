@@ -18,42 +18,46 @@ enum class CouplingMethod
   none                     // both in full, for comparison
 };
 
+/// A method and how it is called.
 struct CouplingMethodName
 {
-  CouplingMethod method;
-  const char *name;
+  CouplingMethod method; // which one
+  const char *name;      // in parameter files
 };
 
+/// All of them.
 constexpr std::array<CouplingMethodName, 4> coupling_methods{
     {{CouplingMethod::calibrated_energy_blend, "calibrated energy blend"},
      {CouplingMethod::energy_blend, "energy blend"},
      {CouplingMethod::force_blend, "force blend"},
      {CouplingMethod::none, "none"}}};
 
+/// When the least squares end.
 struct CalibrationOptions
 {
-  // At most: blocks and columns take about 80, with a horizon of four spacings 160
-  // (tests/coupling/test_calibration.cc prints them); more says that the zone does not converge.
+  /// At most: blocks and columns take about 80, with a horizon of four spacings 160
+  /// (tests/coupling/test_calibration.cc prints them); more says that the zone does not converge.
   int n_iterations = 300;
-  // Iterations between two looks at the eigenvalues: from 3 to 21 their number changes by a quarter
-  // (the same test).
+  /// Iterations between two looks at the eigenvalues: from 3 to 21 their number changes by a
+  /// quarter (the same test).
   int round        = 7;
-  // Stop when all nodal forces are below, in units of M h^2: a tenth of what an interface may have
-  // (simulation/interface_report.h). In the softened layer under a free face five times as much is
-  // allowed, half of that [-].
+  /// Stop when all nodal forces are below, in units of M h^2: a tenth of what an interface may have
+  /// (simulation/interface_report.h). In the softened layer under a free face five times as much is
+  /// allowed, half of that [-].
   double tolerance = 2e-4;
   bool clip        = true; // false for studies of what happens then
 };
 
+/// How points and elements are tied to each other.
 struct CouplingParameters
 {
-  CouplingMethod method = CouplingMethod::calibrated_energy_blend;
+  CouplingMethod method = CouplingMethod::calibrated_energy_blend; // whose energy or force counts
   // Of energy_blend and force_blend:
   BlendFunction blend   = BlendFunction::cubic; // linear or cubic
   double blend_width    = 2.;                   // in horizons
   bool correct_mass     = true;                 // consistent mass of the pad, to first order
-  // Of the elements next to the zone, in grid spacings: 1, 2 or 4.
+  /// Of the elements next to the zone, in grid spacings: 1, 2 or 4.
   int points_per_edge   = Zone::usual_points_per_edge;
-  CalibrationOptions calibration;
+  CalibrationOptions calibration; // of calibrated_energy_blend
 };
 } // namespace ricochet

@@ -10,6 +10,7 @@
 
 namespace ricochet
 {
+/// What patch_test() finds.
 struct PatchReport
 {
   double ghost_force;  // largest, on a node or point, in units of strain times M h^2 [-]

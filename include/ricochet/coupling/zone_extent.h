@@ -12,21 +12,25 @@ namespace ricochet
 /// What the choice depends on.
 struct ImpactGeometry
 {
-  double calibre;          // [m]
-  double length;           // of the projectile [m]
-  double speed;            // [m/s]
-  double incidence_angle;  // between velocity and surface [rad]
-  double entry_x, entry_y; // on the first plate [m]
-  double depth;            // of the plate's upper face below that of the first [m]
-  double thickness;        // of the plate [m]
-  double horizon;          // [m]
+  double calibre;         // [m]
+  double length;          // of the projectile [m]
+  double speed;           // [m/s]
+  double incidence_angle; // between velocity and surface [rad]
+  double entry_x;         // on the first plate [m]
+  double entry_y;         // likewise [m]
+  double depth;           // of the plate's upper face below that of the first [m]
+  double thickness;       // of the plate [m]
+  double horizon;         // [m]
 };
 
 /// A column through the whole plate, x from and to, y from and to.
 struct ZoneChoice
 {
-  double x_low, x_high, y_low, y_high; // [m]
-  std::string reason;                  // for the user, one line
+  double x_low;       // [m]
+  double x_high;      // [m]
+  double y_low;       // [m]
+  double y_high;      // [m]
+  std::string reason; // for the user, one line
 };
 
 /// The corridor of the whole event. 1.5 calibres to each side, plus what the interface must keep

@@ -9,6 +9,7 @@
 
 namespace ricochet
 {
+/// What largest_frequency() finds.
 struct FrequencyEstimate
 {
   double squared_frequency; // largest eigenvalue of M^-1 K at the reference positions [1/s^2]

@@ -20,14 +20,14 @@ enum class Quadrature
 
 /// A symmetric stiffness tensor as in HexTensors: upper triangle, row by row, in Voigt's order.
 using StiffnessTensor   = std::array<double, HexTensors::n_entries>;
-using GaussPointTensors = std::array<StiffnessTensor, 8>;
+using GaussPointTensors = std::array<StiffnessTensor, 8>; // in the order of the corners
 
 /// An element's own stiffness tensor at each Gauss point [Pa]. The eigenvalues must not be
 /// negative, or the body is unstable.
 struct ElementStiffness
 {
-  int element; // number in mesh().elements()
-  GaussPointTensors tensors;
+  int element;               // number in mesh().elements()
+  GaussPointTensors tensors; // C [Pa]
   /// The part of them that relaxes with the material, C_mu; zero: they stay elastic. Neither C_mu
   /// nor C - C_mu may have negative eigenvalues.
   GaussPointTensors shear = {};

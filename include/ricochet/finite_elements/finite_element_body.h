@@ -25,6 +25,7 @@ class ElementGroups;
 class FiniteElementBody : public Body
 {
 public:
+  /// How elements are computed, and which of them.
   struct Options
   {
     Quadrature quadrature                       = Quadrature::one_point;
@@ -43,6 +44,7 @@ public:
   /// Throws InputError if the processor lacks the instruction set or the mesh is impossible.
   FiniteElementBody(MPI_Comm communicator, const HexMesh::Box &box,
                     const FiniteElementMaterial &material, const Options &options);
+  /// With the default options.
   FiniteElementBody(MPI_Comm communicator, const HexMesh::Box &box,
                     const FiniteElementMaterial &material);
   ~FiniteElementBody();
@@ -61,7 +63,7 @@ public:
   /// modes that it has to hold. Throws InputError for an impossible series. History is kept in
   /// double precision.
   void start_relaxation(double dt) override;
-  bool relaxes() const override;
+  bool relaxes() const override; // since start_relaxation(), if the material does
   /// E_b,k, the strain that the dashpots of a branch have taken over; mean of the Gauss points [-].
   Eigen::Matrix3d back_strain(int element, int branch) const;
   /// What bonds take over from an element before the next step, see BondViscosity::take_over().
@@ -117,15 +119,15 @@ public:
   /// Lumped mass of all nodes [kg]. Collective.
   double total_mass() const;
 
-  const HexMesh &mesh() const { return mesh_; }
-  const FiniteElementMaterial &material() const { return material_; }
-  const HexKernel &kernel() const { return *kernel_; }
+  const HexMesh &mesh() const { return mesh_; }                       // as built
+  const FiniteElementMaterial &material() const { return material_; } // as given
+  const HexKernel &kernel() const { return *kernel_; }                // in use
   // Three numbers per local node, see HexMesh.
-  std::vector<double> &position() { return position_; } // [m]
-  const std::vector<double> &position() const { return position_; }
+  std::vector<double> &position() { return position_; }             // [m]
+  const std::vector<double> &position() const { return position_; } // [m]
   const std::vector<double> &velocity() const { return velocity_; } // at the half step [m/s]
   std::vector<double> &force() { return force_; }                   // [N]
-  const std::vector<double> &force() const { return force_; }
+  const std::vector<double> &force() const { return force_; }       // [N]
   /// Of an owned node; zero for hanging nodes and where no active element is [kg].
   double mass(const int node) const { return mass_.mass[node]; }
   /// 1/m; zero where a component is not integrated [1/kg].
@@ -137,10 +139,10 @@ public:
   /// f M_eff^-1 f over this rank's nodes, after correct_mass() [N^2/kg].
   double squared_force() const;
 
-  bool is_active(int element) const;
+  bool is_active(int element) const; // carries force and mass
   /// At the last compute_internal_forces() with energies; zero if not active [J].
   double strain_energy(int element) const;
-  double hourglass_energy(int element) const;
+  double hourglass_energy(int element) const; // likewise [J]
   /// F in the middle of an element [-].
   Eigen::Matrix3d deformation_gradient(int element) const;
   /// Second Piola-Kirchhoff stress at the deformation of the middle, by the mean of the Gauss

@@ -23,11 +23,13 @@ namespace ricochet
 class HexMesh
 {
 public:
+  /// Where cubes must be small.
   struct Region
   {
     Vector3 low, high; // corners of a box in the reference configuration [m]
     int levels;        // cubes that overlap it get edge / 2^levels or finer
   };
+  /// What is meshed.
   struct Box
   {
     Vector3 corner;              // of lowest coordinates [m]; y = 0 with a mirror plane
@@ -39,6 +41,7 @@ public:
     /// among the ranks; empty: all cost the same.
     std::function<unsigned int(const Vector3 &, double)> cost = {};
   };
+  /// A cube of this rank.
   struct Element
   {
     std::array<int, 8> nodes; // local numbers of the corners x + 2 y + 4 z
@@ -64,27 +67,31 @@ public:
   HexMesh(MPI_Comm communicator, const Box &box);
   ~HexMesh();
 
-  const Box &box() const { return box_; }
-  int n_owned_nodes() const { return n_owned_nodes_; }
+  const Box &box() const { return box_; }                                 // as given
+  int n_owned_nodes() const { return n_owned_nodes_; }                    // of this rank
   int n_nodes() const { return static_cast<int>(reference_.size() / 3); } // with ghosts
   std::int64_t n_global_nodes() const { return n_global_nodes_; }         // hanging ones included
-  std::int64_t n_global_elements() const { return n_global_elements_; }
-  std::int64_t first_owned_node() const { return first_owned_node_; } // its global number
+  std::int64_t n_global_elements() const { return n_global_elements_; }   // of all ranks
+  std::int64_t first_owned_node() const { return first_owned_node_; }     // its global number
+  /// The global number of a local one.
   std::int64_t global_node(const int node) const
   {
     return node < n_owned_nodes_ ? first_owned_node_ + node : ghosts_[node - n_owned_nodes_];
   }
-  Vector3 reference_position(const int node) const // [m]
+  /// Of a local node [m].
+  Vector3 reference_position(const int node) const
   {
     return {reference_[3 * node], reference_[3 * node + 1], reference_[3 * node + 2]};
   }
   const std::vector<double> &reference() const { return reference_; } // [3 * n_nodes()] [m]
   const std::vector<Element> &elements() const { return elements_; }  // of this rank
-  Vector3 centre(const Element &element) const                        // reference [m]
+  /// In the reference configuration [m].
+  Vector3 centre(const Element &element) const
   {
     return reference_position(element.nodes[0]) + Vector3::Constant(0.5 * element.edge);
   }
-  const HangingNodes &hanging_nodes() const { return hanging_; }
+  const HangingNodes &hanging_nodes() const { return hanging_; } // of this rank's elements
+  /// Whether a node lies on the symmetry plane, where u_y = 0.
   bool on_mirror_plane(const int node) const
   {
     return box_.mirror_y && reference_[3 * node + 1] == box_.corner.y();

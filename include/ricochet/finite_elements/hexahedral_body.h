@@ -14,6 +14,7 @@ namespace ricochet
 class HexahedralBody : public Body
 {
 public:
+  /// How elements are computed.
   struct Options
   {
     /// In units of the stiffness with which a cube bends exactly, see FiniteElementBody::Options.
@@ -28,6 +29,7 @@ public:
   /// InputError if the processor lacks the instruction set or a cell is folded.
   HexahedralBody(const HexSolid &solid, const FiniteElementMaterial &material, bool mirrored,
                  const Options &options);
+  /// With the default options.
   HexahedralBody(const HexSolid &solid, const FiniteElementMaterial &material, bool mirrored);
   HexahedralBody(const HexahedralBody &)            = delete;
   HexahedralBody &operator=(const HexahedralBody &) = delete;
@@ -51,20 +53,21 @@ public:
   /// nearest to the present one, and the spin with the present angular momentum.
   RigidBody::Motion rigid_motion() const;
 
-  const HexSolid &solid() const { return solid_; }
-  bool mirrored() const { return mirrored_; }
-  const GeneralHexKernel &kernel() const { return *kernel_; }
-  int n_nodes() const { return static_cast<int>(solid_.nodes.size()); }
-  double node_mass(const int node) const { return mass_[node]; } // [kg]
+  const HexSolid &solid() const { return solid_; }            // the reference configuration
+  bool mirrored() const { return mirrored_; }                 // see the constructor
+  const GeneralHexKernel &kernel() const { return *kernel_; } // in use
+  int n_nodes() const { return static_cast<int>(solid_.nodes.size()); } // of this half
+  double node_mass(const int node) const { return mass_[node]; }        // [kg]
+  /// Of component i = 3 node + d; 0 where it is held [1/kg].
   double inverse_mass(const int i) const { return inverse_mass_[i]; }
 
   // Three numbers per node.
-  std::vector<double> &position() { return position_; } // [m]
-  const std::vector<double> &position() const { return position_; }
-  std::vector<double> &velocity() { return velocity_; } // at the half step [m/s]
-  const std::vector<double> &velocity() const { return velocity_; }
-  std::vector<double> &force() { return force_; } // [N]
-  const std::vector<double> &force() const { return force_; }
+  std::vector<double> &position() { return position_; }             // [m]
+  const std::vector<double> &position() const { return position_; } // [m]
+  std::vector<double> &velocity() { return velocity_; }             // at the half step [m/s]
+  const std::vector<double> &velocity() const { return velocity_; } // at the half step [m/s]
+  std::vector<double> &force() { return force_; }                   // [N]
+  const std::vector<double> &force() const { return force_; }       // [N]
 
 private:
   void build_blocks(double hourglass_stiffness, const std::vector<double> &shares);

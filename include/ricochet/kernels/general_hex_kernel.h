@@ -26,19 +26,22 @@ struct GeneralHexBlock
   double warping[8];         // k of rst [N/m]
 };
 
+/// Elements of one material.
 struct GeneralHexGroup
 {
-  const GeneralHexBlock *blocks;
-  int64_t n_elements;
-  double lambda, mu; // [Pa]
+  const GeneralHexBlock *blocks; // of eight elements each
+  int64_t n_elements;            // in all blocks; the last may not be full
+  double lambda;                 // [Pa]
+  double mu;                     // [Pa]
 };
 
 struct GeneralHexKernel
 {
-  using ForceLoop = void (*)(const HexArrays &, const GeneralHexGroup &);
+  using ForceLoop = void (*)(const HexArrays &, const GeneralHexGroup &); // adds to the forces
 
-  const char *instruction_set;
-  ForceLoop one_point, one_point_and_energy;
+  const char *instruction_set;    // that the loops are compiled for
+  ForceLoop one_point;            // forces alone
+  ForceLoop one_point_and_energy; // and both energies of each element
 };
 
 /// As hex_kernel().

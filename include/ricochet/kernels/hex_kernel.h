@@ -37,28 +37,30 @@ struct HexBlock
 /// 2 E12): upper triangle, row by row. Gauss points in the order of the corners they are next to.
 struct HexTensors
 {
-  static constexpr int n_entries = 21;
-  double c[8][n_entries][8]; // [Gauss point][entry][lane] [Pa]
+  static constexpr int n_entries = 21; // of an upper triangle of 6 x 6
+  double c[8][n_entries][8];           // [Gauss point][entry][lane] [Pa]
 };
 
 /// Elements of one kind; `element` of HexArrays counts from 0 in each group.
 struct HexGroup
 {
-  const HexBlock *blocks;
+  const HexBlock *blocks;    // of eight elements each
   const HexTensors *tensors; // per block; null: all have lambda and mu
-  int64_t n_elements;
-  double lambda, mu; // [Pa]
+  int64_t n_elements;        // in all blocks; the last may not be full
+  double lambda;             // [Pa]
+  double mu;                 // [Pa]
   /// Stiffness of the hourglass modes, k = coefficient * edge, in the energy k/2 |q|^2, q = sum_a
   /// Gamma_a x_a with Gamma_a = +-1: for the three bending and twisting vectors (st) and for the
   /// warping one (rst) [Pa]. One-point elements only.
-  double hourglass_bending, hourglass_warping;
+  double hourglass_bending;
+  double hourglass_warping; // of rst [Pa]
 };
 
 /// The history of a group of elements whose shear stiffness relaxes.
 struct HexRelaxation
 {
-  int n_branches;
-  const MaxwellStep *branches;
+  int n_branches;              // of the series
+  const MaxwellStep *branches; // one each
   /// Per block and Gauss point (one or eight) rows of eight lanes: six of 2 E one step ago, then
   /// six of 2 (E - E_b,k) for each branch, in the order 11, 22, 33, 23, 13, 12 [-].
   double *history;
@@ -68,22 +70,32 @@ struct HexRelaxation
 
 struct HexKernel
 {
+  /// Adds to the forces.
   using ForceLoop         = void (*)(const HexArrays &, const HexGroup &);
+  /// The same with history.
   using RelaxingForceLoop = void (*)(const HexArrays &, const HexGroup &, const HexRelaxation &);
 
-  const char *instruction_set;
+  const char *instruction_set; // that the loops are compiled for
 
   /// One quadrature point, with Flanagan and Belytschko's (1981) hourglass control in its stiffness
   /// form. On a cube their hourglass vectors are the four products of corner coordinates.
-  ForceLoop one_point, one_point_and_energy;
+  ForceLoop one_point;
+  ForceLoop one_point_and_energy; // and both energies of each element
   /// 2 x 2 x 2 Gauss points, lambda and mu.
-  ForceLoop integrated, integrated_and_energy;
+  ForceLoop integrated;
+  ForceLoop integrated_and_energy; // and both energies of each element
   /// 2 x 2 x 2 Gauss points, each with its own stiffness.
-  ForceLoop own_tensors, own_tensors_and_energy;
+  ForceLoop own_tensors;
+  ForceLoop own_tensors_and_energy; // and both energies of each element
   /// The same with relaxation; each call moves the history on by one step.
-  RelaxingForceLoop relaxing_one_point, relaxing_one_point_and_energy;
-  RelaxingForceLoop relaxing_integrated, relaxing_integrated_and_energy;
-  RelaxingForceLoop relaxing_own_tensors, relaxing_own_tensors_and_energy;
+  RelaxingForceLoop relaxing_one_point;
+  RelaxingForceLoop relaxing_one_point_and_energy; // and both energies of each element
+  /// As integrated, with relaxation.
+  RelaxingForceLoop relaxing_integrated;
+  RelaxingForceLoop relaxing_integrated_and_energy; // and both energies of each element
+  /// As own_tensors, with relaxation.
+  RelaxingForceLoop relaxing_own_tensors;
+  RelaxingForceLoop relaxing_own_tensors_and_energy; // and both energies of each element
 
   /// Kick and drift of n components: v += kick f/m, x += drift v; where the inverse mass is zero,
   /// the velocity stays.

@@ -28,6 +28,7 @@ struct LatticeArrays
   double *hold;        // 0 for free points; 1 for others, whose bonds do not break [-]
 };
 
+/// The bonds of any point of a lattice.
 struct BondTable
 {
   int n;                          // forward offsets
@@ -47,12 +48,12 @@ struct BrokenBonds
 /// History of bonds whose shear stiffness relaxes, and the numbers of a step.
 struct RelaxingBonds
 {
-  int n_branches;
-  const MaxwellStep *branches;
+  int n_branches;              // of the series
+  const MaxwellStep *branches; // one each
   /// g of each bond and branch, see maxwell_branch.h: [block][offset][branch][lane], in the one or
   /// the other precision, the other null [m].
   float *single_history;
-  double *double_history;
+  double *double_history; // see single_history
   /// Per point, ghosts and images too: its part of the tension of any of its bonds, over that
   /// bond's `extension` and length [-].
   const double *volumetric;
@@ -62,8 +63,8 @@ struct RelaxingBonds
 
 struct LatticeKernel
 {
-  const char *instruction_set;
-  int registers_per_block; // of points
+  const char *instruction_set; // that the loops are compiled for
+  int registers_per_block;     // of points
 
   /// Breaks bonds stretched beyond their limit, unless an end of them is held, and adds every
   /// intact bond's part to theta, which must be zero before. `log` must hold
@@ -82,6 +83,7 @@ struct LatticeKernel
   /// for w theta.
   void (*weighted_force)(const LatticeArrays &, const BondTable &, int64_t first_block,
                          int64_t last_block);
+  /// See weighted_force and force_and_energy.
   void (*weighted_force_and_energy)(const LatticeArrays &, const BondTable &, int64_t first_block,
                                     int64_t last_block);
 
@@ -90,8 +92,10 @@ struct LatticeKernel
   /// and need the velocities that led here.
   using RelaxingLoop = void (*)(const LatticeArrays &, const BondTable &, const RelaxingBonds &,
                                 int64_t first_block, int64_t last_block);
-  RelaxingLoop relaxing_force, relaxing_force_and_energy;
-  RelaxingLoop weighted_relaxing_force, weighted_relaxing_force_and_energy;
+  RelaxingLoop relaxing_force;                     // forces alone
+  RelaxingLoop relaxing_force_and_energy;          // with energies
+  RelaxingLoop weighted_relaxing_force;            // with weights
+  RelaxingLoop weighted_relaxing_force_and_energy; // with both
 
   /// Kick and drift of free points: v += f dt/m, x += v dt.
   void (*advance)(const LatticeArrays &, int64_t first_block, int64_t last_block,

@@ -12,13 +12,15 @@ namespace ricochet
 /// One plate as a grid of n_x times n_y columns of points, y fastest.
 struct DamageMap
 {
-  int plate; // number, from 1
-  int n_x, n_y;
-  double spacing;                 // of the grid [m]
-  double corner[2];               // of lowest x and y [m]
-  bool mirrored;                  // y > 0 is shown, y < 0 is its mirror image
-  std::vector<float> front, rear; // damage of the uppermost and lowest point of each column [-]
-  std::vector<float> mean;        // through the thickness [-]
+  int plate;                // number, from 1
+  int n_x;                  // columns along x
+  int n_y;                  // and along y
+  double spacing;           // of the grid [m]
+  double corner[2];         // of lowest x and y [m]
+  bool mirrored;            // y > 0 is shown, y < 0 is its mirror image
+  std::vector<float> front; // damage of the uppermost point of each column [-]
+  std::vector<float> rear;  // and of the lowest one [-]
+  std::vector<float> mean;  // through the thickness [-]
 };
 
 /// Writes DIRECTORY/damage.h5: for plate 1 the datasets plate_1_front, plate_1_rear and

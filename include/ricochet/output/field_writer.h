@@ -22,7 +22,7 @@ public:
   void write(double time, const PointFrame &points, const SurfaceFrame &surface,
              const ElementFrame &elements = {});
 
-  unsigned int n_frames() const { return n_frames_; }
+  unsigned int n_frames() const { return n_frames_; } // written so far
 
 private:
   SectionWriter section_;

@@ -33,6 +33,6 @@ struct ElementFrame
   std::vector<int> body;                       // number of the plate, from 1
   // Places one grid spacing apart in the layer next to the plane y = 0, for the section picture.
   std::vector<Vector3> section_position; // current [m]
-  std::vector<int> section_body;
+  std::vector<int> section_body;         // their plates, from 1
 };
 } // namespace ricochet

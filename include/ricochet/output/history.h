@@ -16,6 +16,7 @@ class AppendedFile;
 class History
 {
 public:
+  /// One number per record.
   struct Column
   {
     std::string name; // without comma and slash

@@ -10,6 +10,7 @@
 
 namespace ricochet
 {
+/// What is shown of a run.
 struct ProgressState
 {
   double time;             // simulated [s]
@@ -24,6 +25,7 @@ struct ProgressState
 class Progress
 {
 public:
+  /// How it is shown.
   enum class Style
   {
     silent,

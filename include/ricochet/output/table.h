@@ -12,8 +12,9 @@ namespace ricochet
 class Table
 {
 public:
+  /// Without rows; `columns` are the heads.
   explicit Table(const std::vector<std::string> &columns);
-  Table(Table &&) noexcept;
+  Table(Table &&) noexcept; // tables move
   ~Table();
 
   /// One value per column; null is an empty place.

@@ -12,7 +12,7 @@ namespace ricochet
 class Projectile : public Body
 {
 public:
-  using Motion = RigidBody::Motion;
+  using Motion = RigidBody::Motion; // place, attitude and their rates
 
   const BodyOfRevolution &body() const { return body_; } // undeformed
   double mass() const { return mass_; }                  // [kg]
@@ -23,6 +23,7 @@ public:
   double pitch() const;
   /// Lowest and highest corner of a box around the body [m].
   virtual std::pair<Vector3, Vector3> bounding_box() const = 0;
+  /// What is drawn of it at present.
   virtual SurfaceFrame surface() const                     = 0;
 
   /// Adds the forces of contact to plate number `plate` and to the body. Collective.
@@ -40,6 +41,7 @@ public:
   virtual double seconds_per_step() const  = 0;
 
 protected:
+  /// `body`: the undeformed shape; `mass` of the whole [kg].
   Projectile(const BodyOfRevolution &body, const double mass) : body_(body), mass_(mass) {}
 
 private:
@@ -50,9 +52,9 @@ private:
 /// What a projectile must know of each plate, from top to bottom.
 struct PlateContact
 {
-  RigidContact::Parameters parameters;
-  double spacing; // dx [m]
-  int n_planes;   // of the lattice
+  RigidContact::Parameters parameters; // of each pair with one of its points
+  double spacing;                      // dx [m]
+  int n_planes;                        // of the lattice
 };
 
 /// The scene's projectile at its start, its lowest point above the entry point. `law` must outlive

@@ -16,17 +16,19 @@
 
 namespace ricochet
 {
+/// A value that a file or an override gives.
 struct ParameterEntry
 {
   std::string section; // "" at the top
-  std::string name;
-  std::string value;  // as written, blanks squeezed; "" means not given
-  std::string origin; // "prm/base.prm:12", "command line"
+  std::string name;    // "Grid spacing"
+  std::string value;   // as written, blanks squeezed; "" means not given
+  std::string origin;  // "prm/base.prm:12", "command line"
 };
 
+/// A section that a file or an override names.
 struct ParameterSection
 {
-  std::string name;
+  std::string name;   // "Plate 1"
   std::string origin; // of the line that opens it first
   bool in_file;       // false: only an override names it
 };
@@ -36,6 +38,7 @@ struct ParameterSection
  * Throws InputError if the text has another form.
  */
 ParameterEntry parse_override(const std::string &text, const std::string &origin = "command line");
+/// The same one by one.
 std::vector<ParameterEntry> parse_overrides(const std::vector<std::string> &texts);
 
 class ParameterFile
@@ -57,9 +60,12 @@ public:
   static ParameterFile from_text(const std::string &text, const std::string &path,
                                  const std::vector<ParameterEntry> &overrides = {});
 
-  const std::string &path() const { return path_; }
-  const std::vector<ParameterEntry> &entries() const { return entries_; }
-  const std::vector<ParameterSection> &sections() const { return sections_; }
+  const std::string &path() const { return path_; }                       // as given
+  const std::vector<ParameterEntry> &entries() const { return entries_; } // every entry once
+  const std::vector<ParameterSection> &sections() const
+  {
+    return sections_;
+  } // in order of first appearance
 
 private:
   std::string path_;

@@ -18,7 +18,7 @@ void print_template(std::ostream &out);
  *   file, section, name, meaning   where it stands ("scene", "study", "stability"; "" is the top)
  *   type         "quantity", "quantities" (a tuple), "quantity list", "choice", "flag" or "text"
  *   dimension, units, limit, components, values, expected    as far as the type has them
- *   default      as it is written, null without one; <file> stands for the name of the file
+ *   default      as it is written, null without one; `<file>` stands for the name of the file
  *   example      a value that makes sense, with its unit
  *   required     whether a file without it is refused, whatever else it says
  *   rules        [{one_of: [[names], ...], if: {entry, values}}]: one group is to be given

@@ -20,6 +20,7 @@ std::string unit_names(Dimension dimension);
 /// The same one by one; none for a number.
 std::vector<std::string> units_of(Dimension dimension);
 
+/// What parse_quantity() finds.
 struct ParsedQuantity
 {
   double value;        // in SI; meaningless if there is a problem
@@ -32,13 +33,13 @@ struct ParsedQuantity
  */
 ParsedQuantity parse_quantity(const std::string &text, Dimension dimension, Limit limit);
 
-/// The same for n_values quantities (0: one or more) separated by commas; values is empty if there
-/// is a problem.
+/// What parse_quantities() finds; values is empty if there is a problem.
 struct ParsedQuantities
 {
-  std::vector<double> values;
-  std::string problem;
+  std::vector<double> values; // in SI
+  std::string problem;        // as in ParsedQuantity
 };
+/// The same for n_values quantities (0: one or more) separated by commas.
 ParsedQuantities parse_quantities(const std::string &text, Dimension dimension, Limit limit,
                                   unsigned int n_values);
 } // namespace ricochet

@@ -17,9 +17,10 @@
 
 namespace ricochet
 {
+/// Of a section 'Material NAME'.
 struct MaterialParameters
 {
-  std::string name;
+  std::string name;        // by which plates ask for it
   std::string bond_model;  // one of the names in materials/bond_laws.h
   double density;          // rho [kg/m^3]
   double bulk_modulus;     // K [Pa]
@@ -27,18 +28,21 @@ struct MaterialParameters
   double critical_stretch; // s_c [-]; 0: not given, derive from the energy release rate
   double energy_release;   // G_c [J/m^2]; 0: not given
   RelaxationSeries relaxation        = {}; // of the shear modulus, as given
-  HistoryPrecision history_precision = HistoryPrecision::single_precision;
+  HistoryPrecision history_precision = HistoryPrecision::single_precision; // of the bonds
 };
 
+/// Of a section 'Plate N'.
 struct PlateParameters
 {
-  double length, width, thickness; // [m]; width is the full one, also with the symmetry plane
-  double gap;                      // distance to the plate above [m]
-  double spacing;                  // dx [m]
-  double horizon_ratio;            // m = delta/dx [-]
-  InfluenceFunction influence_function;
-  std::string material; // name of a MaterialParameters
-  // With ZoneKind::boxes: columns through the plate, x from and to, y from and to [m].
+  double length;                        // along the flight [m]
+  double width;                         // across it, the full one, also with the symmetry plane [m]
+  double thickness;                     // [m]
+  double gap;                           // distance to the plate above [m]
+  double spacing;                       // dx [m]
+  double horizon_ratio;                 // m = delta/dx [-]
+  InfluenceFunction influence_function; // omega
+  std::string material;                 // name of a MaterialParameters
+  /// With ZoneKind::boxes: columns through the plate, x from and to, y from and to [m].
   std::vector<std::array<double, 4>> zone_boxes = {};
   bool absorbing_edges                          = false; // waves leave through the side faces
 };
@@ -52,20 +56,23 @@ enum class ZoneKind
   none // finite elements alone: elastic, nothing breaks
 };
 
+/// Of the section 'Coupling'.
 struct ZoneParameters
 {
-  ZoneKind kind             = ZoneKind::everything;
-  bool adaptive             = false; // grows ahead of damage
-  bool grows_everywhere     = false; // and not only in the corridor of the impact
+  ZoneKind kind             = ZoneKind::everything; // which part is peridynamic
+  bool adaptive             = false;                // grows ahead of damage
+  bool grows_everywhere     = false;                // and not only in the corridor of the impact
   double conversion_stretch = 0.5; // of the critical stretch; beyond, near the interface, it grows
-  CouplingParameters coupling;
-  int coarsening_levels = -1;    // of the elements; -1: what the plate's points allow, at most 2
-  bool full_quadrature  = false; // eight points per element instead of one
-  double hourglass_coefficient = 1.;
+  CouplingParameters coupling;     // how points and elements are tied
+  int coarsening_levels = -1;      // of the elements; -1: what the plate's points allow, at most 2
+  bool full_quadrature  = false;   // eight points per element instead of one
+  double hourglass_coefficient = 1.; // [-], see FiniteElementBody::Options
 
+  /// Whether finite elements carry a part of the plates, or all of them.
   bool has_elements() const { return kind != ZoneKind::everything; }
 };
 
+/// What a projectile is computed as.
 enum class ProjectileModel
 {
   rigid,
@@ -74,19 +81,22 @@ enum class ProjectileModel
   peridynamic
 };
 
+/// Of the section 'Projectile'.
 struct ProjectileParameters
 {
-  BodyOfRevolution::Shape shape;
-  double mass; // [kg], of the whole projectile
+  BodyOfRevolution::Shape shape; // undeformed
+  double mass;                   // [kg], of the whole projectile
   // Of a deformable one:
-  ProjectileModel model = ProjectileModel::rigid;
-  double youngs_modulus = 0., poissons_ratio = 0.; // [Pa], [-]
-  double spacing            = 0.;                  // dx of the points of a peridynamic one [m]
-  double peridynamic_length = 0.;                  // of a peridynamic nose, from the tip [m]
-  int refinement            = 2;                   // of the generated mesh, from 1
+  ProjectileModel model     = ProjectileModel::rigid; // what it is computed as
+  double youngs_modulus     = 0.;                     // [Pa]
+  double poissons_ratio     = 0.;                     // [-]
+  double spacing            = 0.;                     // dx of the points of a peridynamic one [m]
+  double peridynamic_length = 0.;                     // of a peridynamic nose, from the tip [m]
+  int refinement            = 2;                      // of the generated mesh, from 1
   HexSolid mesh = {}; // read from a file, axis along x; no cells: generated from the shape
 };
 
+/// Of the section 'Impact'.
 struct ImpactParameters
 {
   double speed;           // [m/s]
@@ -97,6 +107,7 @@ struct ImpactParameters
   double clearance;       // between the lowest point of the projectile and the plate at t = 0 [m]
 };
 
+/// Of the section 'Contact'.
 struct ContactParameters
 {
   double stiffness_factor;       // k = factor * E * dx per point [-]
@@ -109,6 +120,7 @@ struct ContactParameters
   std::string search = "linked cells"; // one of contact_search_names() in contact/contact_search.h
 };
 
+/// Of the section 'Time'.
 struct TimeParameters
 {
   double end_time;      // the run ends here at the latest [s]
@@ -117,6 +129,7 @@ struct TimeParameters
   double free_time;     // free of contact this long counts as decided [s]
 };
 
+/// Of the section 'Output'.
 struct OutputParameters
 {
   std::string directory;   // results folder
@@ -130,15 +143,15 @@ struct OutputParameters
 
 struct Scene
 {
-  std::string title;
-  bool symmetric; // mirror plane y = 0: only y > 0 is modelled
-  ProjectileParameters projectile;
-  ImpactParameters impact;
-  std::vector<PlateParameters> plates; // from top to bottom
-  std::vector<MaterialParameters> materials;
-  ZoneParameters zone;
-  ContactParameters contact;
-  TimeParameters time;
-  OutputParameters output;
+  std::string title;                         // of the results
+  bool symmetric;                            // mirror plane y = 0: only y > 0 is modelled
+  ProjectileParameters projectile;           // section Projectile
+  ImpactParameters impact;                   // section Impact
+  std::vector<PlateParameters> plates;       // from top to bottom
+  std::vector<MaterialParameters> materials; // in the order of the file
+  ZoneParameters zone;                       // section Coupling
+  ContactParameters contact;                 // section Contact
+  TimeParameters time;                       // section Time
+  OutputParameters output;                   // section Output
 };
 } // namespace ricochet

@@ -13,7 +13,7 @@ namespace ricochet
  * The scene a parameter file describes, in SI, with all defaults filled in.
  *
  * Throws InputError, in one message with file and line, for whatever is unknown, missing, of the
- * wrong form or contradictory; see the checks in scene_reader.cc.
+ * wrong form or contradictory; the checks stand with the entries, in the sections' files.
  */
 Scene read_scene(const ParameterFile &file);
 

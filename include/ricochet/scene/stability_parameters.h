@@ -10,6 +10,7 @@
 
 namespace ricochet
 {
+/// In units of what the time step is given.
 enum class StepLimit
 {
   measured, // by power iteration of the body
@@ -18,25 +19,25 @@ enum class StepLimit
 
 struct StabilityParameters
 {
-  std::string title;
+  std::string title;     // of the results
   std::string directory; // results folder
 
-  CouplingParameters coupling;
-  bool full_quadrature         = false;
-  double hourglass_coefficient = 1.; // [-]
+  CouplingParameters coupling;          // how points and elements are tied
+  bool full_quadrature         = false; // eight points per element instead of one
+  double hourglass_coefficient = 1.;    // [-]
 
-  double spacing              = 1e-3; // dx [m]
-  double horizon_ratio        = 3.;   // delta/dx [-]
-  InfluenceFunction influence = InfluenceFunction::cone;
-  double density              = 1190.; // [kg/m^3]
-  double youngs_modulus       = 6e9;   // [Pa]
-  double poisson_ratio        = 0.35;  // [-]
-  int half_width              = 4;     // of the block of points, in spacings; even
-  int margin                  = 4;     // of elements around all points, in spacings; even
+  double spacing              = 1e-3;                    // dx [m]
+  double horizon_ratio        = 3.;                      // delta/dx [-]
+  InfluenceFunction influence = InfluenceFunction::cone; // of the bonds
+  double density              = 1190.;                   // [kg/m^3]
+  double youngs_modulus       = 6e9;                     // [Pa]
+  double poisson_ratio        = 0.35;                    // [-]
+  int half_width              = 4; // of the block of points, in spacings; even
+  int margin                  = 4; // of elements around all points, in spacings; even
 
-  StepLimit limit  = StepLimit::measured;
-  double time_step = 0.9; // in units of the limit [-]
-  int n_steps      = 2000;
+  StepLimit limit  = StepLimit::measured; // see time_step
+  double time_step = 0.9;                 // in units of the limit [-]
+  int n_steps      = 2000;                // unless the energy runs away
   double jitter    = 0.; // random displacement of all points and nodes at the start, in spacings
 };
 } // namespace ricochet

@@ -20,14 +20,16 @@
 
 namespace ricochet
 {
+/// What is varied together.
 struct StudyAxis
 {
   std::vector<ParameterEntry> entries; // their own values are empty
-  // One for all entries, or one for each with ';' between them.
+  /// One for all entries, or one for each with ';' between them.
   std::vector<std::string> values;
-  bool is_ensemble = false;
+  bool is_ensemble = false; // whether it only repeats a run
 };
 
+/// One run.
 struct StudyCase
 {
   std::string name;                // "angle_10__grid_spacing_1.5_mm", also its folder
@@ -37,19 +39,20 @@ struct StudyCase
   bool is_experiment; // of stability, for read_stability instead of read_scene
 };
 
+/// All runs.
 struct StudyParameters
 {
-  std::string title;
-  std::string output_directory;
+  std::string title;                // of the results
+  std::string output_directory;     // of the study; cases have folders in it
   std::vector<std::string> columns; // empty: the driver's choice
   std::vector<std::string> scenes;  // paths of the parameter files
-  std::vector<StudyAxis> axes;
+  std::vector<StudyAxis> axes;      // at most 20
   bool one_at_a_time;    // the axes are varied one after the other instead of in all combinations
   bool pictures;         // draw a comparison at the end
   std::string reference; // the scene that the others are compared with, as in StudyCase; or ""
-  // Scene by scene, the last axis changes fastest; one at a time: the scene itself, then axis by
-  // axis. With a reference the scenes change fastest: what is compared runs one after the other,
-  // and a machine whose speed drifts is as unfair to one as to the other.
+  /// Scene by scene, the last axis changes fastest; one at a time: the scene itself, then axis by
+  /// axis. With a reference the scenes change fastest: what is compared runs one after the other,
+  /// and a machine whose speed drifts is as unfair to one as to the other.
   std::vector<StudyCase> cases;
 };
 

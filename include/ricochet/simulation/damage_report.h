@@ -7,11 +7,13 @@
 
 namespace ricochet
 {
+/// Of one plate.
 struct PlateDamage
 {
   double broken_share; // of the bonds of the whole plate, had it no elements [-]
   // Area of the faces' points that have lost more than damaged_share of their bonds, both halves.
-  double front_area, rear_area; // [m^2]
+  double front_area; // [m^2]
+  double rear_area;  // [m^2]
 };
 
 class DamageReport

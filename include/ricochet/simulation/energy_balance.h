@@ -25,6 +25,7 @@ struct EnergyBalance
   double absorbed        = 0.; // by edges that do not reflect
   double debris_friction = 0.; // turned into heat between plates and in debris
 
+  /// What the balance does not account for [J].
   double residual() const
   {
     return initial - projectile - elastic - kinetic - strain - hourglass - conversion - contact -

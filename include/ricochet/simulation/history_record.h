@@ -12,7 +12,7 @@ namespace ricochet
 /// Sums over all ranks and plates at one record.
 struct Totals
 {
-  EnergyBalance energies{};
+  EnergyBalance energies{}; // [J]
   double broken_bonds = 0.; // so far, each once [-]
 
   /// An energy as a share of all there was at the start [-].
@@ -20,27 +20,28 @@ struct Totals
   {
     return energies.initial > 0. ? energy / energies.initial : 0.;
   }
+  /// What the balance does not account for, as such a share [-].
   double relative_residual() const { return share(energies.residual()); }
 };
 
-/// Between evaluate(true) and advance(). Collective.
+/// Between compute_forces(true) and advance(). Collective.
 Totals totals_of(const Simulation &simulation);
 
-/// What a record is computed from: a simulation between evaluate(true) and advance().
+/// What a record is computed from: a simulation between compute_forces(true) and advance().
 struct Moment
 {
-  const Simulation &simulation;
-  const Totals &totals; // now
+  const Simulation &simulation; // at that time
+  const Totals &totals;         // now
 };
 
 /// A column of history.csv and a dataset of history.h5. Whoever adds one writes this row and
 /// nothing else.
 struct HistoryColumn
 {
-  std::string name; // without comma and slash
-  std::string unit; // "-" if dimensionless
-  double (*value)(const Moment &moment);
-  std::string meaning;
+  std::string name;                      // without comma and slash
+  std::string unit;                      // "-" if dimensionless
+  double (*value)(const Moment &moment); // in that unit
+  std::string meaning;                   // half a sentence, for the user
 };
 
 /// In the order of the file.

@@ -18,6 +18,7 @@ enum class Outcome
   undecided
 };
 
+/// As in summary.json.
 const char *name_of(Outcome outcome);
 
 /// Where a projectile has left the target.
@@ -29,22 +30,26 @@ enum class ExitFace
   edge
 };
 
+/// As in summary.json.
 const char *name_of(ExitFace face);
 
+/// How a run has ended.
 struct OutcomeVerdict
 {
-  Outcome outcome;
-  ExitFace exit_face;
+  Outcome outcome;    // what became of the projectile
+  ExitFace exit_face; // where it has left
   int exit_plate;     // whose face or edge that is, from 1; 0 if it has not left
   std::string reason; // why the run ended, for the user
 };
 
+/// Watches a simulation, step by step.
 class OutcomeWatch
 {
 public:
+  /// At the start; the simulation must outlive this object.
   explicit OutcomeWatch(const Simulation &simulation);
 
-  /// Call once per step, after evaluate().
+  /// Call once per step, after Simulation::compute_forces().
   void update();
 
   /// The projectile is clear of the undeformed target, moves away from it and has touched nothing,

@@ -11,10 +11,11 @@
 
 namespace ricochet
 {
+/// What plate_zone() decides.
 struct PlateZone
 {
-  std::unique_ptr<Zone> zone; // null if the plate is peridynamic throughout
-  CoupledPlateOptions options;
+  std::unique_ptr<Zone> zone;  // null if the plate is peridynamic throughout
+  CoupledPlateOptions options; // of the elements around the zone
   double growth_ahead = std::numeric_limits<double>::infinity(); // of the projectile, along x [m]
   std::string reason;                                            // for the user
 };

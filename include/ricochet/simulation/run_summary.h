@@ -19,16 +19,16 @@ struct RunNotes
 {
   std::string directory;    // of the results
   std::string version;      // of the program
-  int n_ranks         = 1;  //
+  int n_ranks         = 1;  // MPI processes
   double n_points     = 0.; // computed
   double n_bonds      = 0.; // of the sound plates as computed
   double core_seconds = 0.; // processor time of all ranks [s]
   double bond_rate    = 0.; // directed bonds evaluated per second of wall time, all ranks [1/s]
   double deepest      = 0.; // penetration of a point into the projectile so far [dx]
-  double on_elements_since = -1.; // when the projectile first touched some; negative: never [s]
-  bool interrupted         = false;
-  bool failed              = false;
-  MomentumBalance start_momenta{};         // at time 0
+  double on_elements_since = -1.;   // when the projectile first touched some; negative: never [s]
+  bool interrupted         = false; // the user ended the run
+  bool failed              = false; // the run broke down
+  MomentumBalance start_momenta{};  // at time 0
   std::vector<InterfaceReport> interfaces; // at time 0
   /// From sighting(), at the times that the scene states.
   nlohmann::ordered_json positions = nlohmann::ordered_json::array();
@@ -37,11 +37,11 @@ struct RunNotes
 /// A run at its end.
 struct RunEnd
 {
-  const Simulation &simulation;
-  const OutcomeWatch &watch;
-  const OutcomeVerdict &verdict;
-  const Totals &totals; // of the last record
-  const RunNotes &notes;
+  const Simulation &simulation;  // at its last time
+  const OutcomeWatch &watch;     // which has seen all steps
+  const OutcomeVerdict &verdict; // how the run has ended
+  const Totals &totals;          // of the last record
+  const RunNotes &notes;         // of the whole run
 };
 
 /// A field of the summary, as the user may read about it.

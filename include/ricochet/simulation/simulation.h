@@ -15,10 +15,10 @@ namespace ricochet
 /// A plate as it is computed.
 struct Plate
 {
-  std::unique_ptr<Body> body;
-  PeridynamicBody *points; // all of the body or its peridynamic part
-  AdaptivePlate *coupled;  // the body if elements carry a part of it, else null
-  std::string zone_reason; // why the zone is as it is, for the user
+  std::unique_ptr<Body> body; // what the time integrator moves
+  PeridynamicBody *points;    // all of the body or its peridynamic part
+  AdaptivePlate *coupled;     // the body if elements carry a part of it, else null
+  std::string zone_reason;    // why the zone is as it is, for the user
 };
 
 class Simulation
@@ -36,24 +36,24 @@ public:
 
   double time() const { return time_; } // [s]
   double dt() const { return dt_; }     // [s]
-  long step() const { return step_; }
+  long step() const { return step_; }   // made so far
 
-  const Scene &scene() const { return scene_; }
-  const Projectile &projectile() const { return *projectile_; }
+  const Scene &scene() const { return scene_; }                 // as given
+  const Projectile &projectile() const { return *projectile_; } // as it is now
   /// Of all plates on the projectile, at the last compute_forces().
   const ContactRecord &reaction() const { return projectile_contact_->record(); }
 
-  std::size_t n_plates() const { return plates_.size(); }
-  const Plate &plate(const std::size_t i) const { return plates_[i]; }
+  std::size_t n_plates() const { return plates_.size(); }              // of the scene
+  const Plate &plate(const std::size_t i) const { return plates_[i]; } // from 0, the uppermost
   /// The peridynamic points of each plate, from top to bottom.
   std::vector<const PeridynamicBody *> plates() const;
-  std::vector<PeridynamicBody *> plates();
+  std::vector<PeridynamicBody *> plates(); // likewise
   /// Null if the plate is peridynamic throughout.
   const AdaptivePlate *coupled_plate(const std::size_t i) const { return plates_[i].coupled; }
-  AdaptivePlate *coupled_plate(const std::size_t i) { return plates_[i].coupled; }
+  AdaptivePlate *coupled_plate(const std::size_t i) { return plates_[i].coupled; } // likewise
 
-  const MaterialParameters &material(std::size_t plate) const;
-  double critical_stretch(std::size_t plate) const; // [-]
+  const MaterialParameters &material(std::size_t plate) const; // of a plate
+  double critical_stretch(std::size_t plate) const;            // [-]
 
   /// Lower and upper corner of all plates in the reference configuration, mirrored half included
   /// [m].
@@ -76,9 +76,9 @@ public:
   /// "Point (x, y, z) of plate n is the fastest, at v m/s." Collective.
   std::string describe_fastest_point() const;
 
-  PointFrame points() const; // owned by this rank
-  SurfaceFrame surface() const { return projectile_->surface(); }
-  ElementFrame elements() const; // owned by this rank
+  PointFrame points() const;                                      // owned by this rank
+  SurfaceFrame surface() const { return projectile_->surface(); } // of the projectile
+  ElementFrame elements() const;                                  // owned by this rank
 
   /// What limits the step, for the user.
   struct TimeStepInfo
@@ -89,7 +89,7 @@ public:
     double plates_dt;        // the step that the plates alone would allow [s]
     double projectile_dt;    // the same of a deformable projectile; infinite if rigid [s]
   };
-  TimeStepInfo time_step_info() const { return time_step_info_; }
+  TimeStepInfo time_step_info() const { return time_step_info_; } // of the step in use
   /// Of each plate alone, without contact.
   const std::vector<FrequencyEstimate> &frequencies() const { return frequencies_; }
 

@@ -12,6 +12,7 @@
 
 namespace ricochet
 {
+/// What an experiment says of its coupling.
 enum class StabilityVerdict
 {
   stable,
@@ -19,6 +20,7 @@ enum class StabilityVerdict
   unstable
 };
 
+/// As in summary.json.
 const char *verdict_name(StabilityVerdict verdict);
 
 /// What counts as what.
@@ -31,11 +33,13 @@ struct StabilityLimits
   double energy_drift = 0.01; // of the discrete energy: inaccurate [-]
 };
 
+/// What an experiment has measured.
 struct StabilityResult
 {
-  double predicted_step, measured_step; // largest stable ones [s]
-  double time_step;                     // used [s]
-  int n_steps;                          // made; fewer than asked if the energy ran away
+  double predicted_step; // the largest stable one by plane waves [s]
+  double measured_step;  // and by power iteration [s]
+  double time_step;      // used [s]
+  int n_steps;           // made; fewer than asked if the energy ran away
 
   // Of the largest kinetic energy in each of 40 parts of the run.
   double rise;            // largest kinetic energy over all energy at the start [-]
@@ -46,12 +50,13 @@ struct StabilityResult
 
   double energy_drift;     // largest |E - E_start| / E_start of the discrete energy [-]
   double hourglass_growth; // rms hourglass displacement, end over middle; 1 without such modes [-]
-  PatchReport patch;
+  PatchReport patch;       // of the same body at rest
   double smallest_eigenvalue; // of a calibrated tensor before clipping, if negative [M]
-  std::int64_t n_points, n_elements;
+  std::int64_t n_points;      // free ones
+  std::int64_t n_elements;    // without those full of points
 
-  StabilityVerdict verdict;
-  std::string reason;
+  StabilityVerdict verdict; // by the limits
+  std::string reason;       // which limit, for the user
 };
 
 /// Collective. Throws InputError for a block that cannot be built.
