@@ -33,9 +33,10 @@ void describe_quantity(const QuantityPattern &pattern, Json &json)
 {
   const bool is_tuple = pattern.components().size() > 1;
   json["type"]        = pattern.is_list() ? "quantity list" : is_tuple ? "quantities" : "quantity";
-  json["dimension"]   = dimension_name(pattern.dimension()).substr(2); // without its article
-  json["units"]       = units_of(pattern.dimension());
-  json["limit"]       = limit_name(pattern.limit());
+  const std::string dimension = dimension_name(pattern.dimension());
+  json["dimension"]           = dimension.substr(dimension.find(' ') + 1); // without its article
+  json["units"]               = units_of(pattern.dimension());
+  json["limit"]               = limit_name(pattern.limit());
   if (is_tuple)
     json["components"] = pattern.components();
 }

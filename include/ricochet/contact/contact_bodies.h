@@ -10,4 +10,4 @@ namespace ricochet
 {
 /// From top to bottom; whoever made the list owns them.
 using Bodies = std::vector<PeridynamicBody *>;
-}
+} // namespace ricochet
