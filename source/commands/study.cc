@@ -171,8 +171,8 @@ private:
       RunOptions run_options;
       run_options.force = true; // an unfinished run of an earlier try may lie there
       run_options.quiet = options_.quiet;
-      summary =
-          (parameters_.cases[i].is_experiment ? run_stability : run_scene)(communicator_, file, run_options);
+      summary = (parameters_.cases[i].is_experiment ? run_stability : run_scene)(communicator_,
+                                                                                 file, run_options);
       return summary.value("interrupted", false) ? "interrupted" : "ok";
     }
     catch (const Error &error)
@@ -186,7 +186,7 @@ private:
   StudyOptions options_;
   std::filesystem::path directory_;
   bool speaks_, is_map_ = false;
-  std::vector<std::string> chosen_;  // fields of the summaries that the table shows
+  std::vector<std::string> chosen_; // fields of the summaries that the table shows
   std::unique_ptr<Table> table_;
   std::vector<Json> summaries_; // of all cases; null if there is none
 };

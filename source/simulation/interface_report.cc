@@ -33,14 +33,13 @@ std::vector<InterfaceReport> interface_reports(const MPI_Comm communicator, Simu
     if (!far || far->zone().n_slaved_cells() == 0)
       continue;
     InterfaceReport report{};
-    report.plate         = i;
-    report.patch         = patch_test(communicator, *far, /*most_iterations=*/200, residual_left);
-    const auto &estimate = simulation.frequencies()[i];
-    report.frequency     = std::sqrt(estimate.squared_frequency);
-    report.step_limit    = 2. / report.frequency;
-    report.predicted_limit =
-        predicted_time_step(far->points(), &far->options()).step();
-    report.time_step = simulation.dt();
+    report.plate           = i;
+    report.patch           = patch_test(communicator, *far, /*most_iterations=*/200, residual_left);
+    const auto &estimate   = simulation.frequencies()[i];
+    report.frequency       = std::sqrt(estimate.squared_frequency);
+    report.step_limit      = 2. / report.frequency;
+    report.predicted_limit = predicted_time_step(far->points(), &far->options()).step();
+    report.time_step       = simulation.dt();
     report.share_of_volume =
         double(far->zone().n_free_cells()) / static_cast<double>(far->zone().n_cells_in_all());
     report.seconds_per_force = estimate.seconds_per_force;

@@ -112,8 +112,7 @@ void Simulation::build_contact()
   projectile_contact_ = std::make_unique<ProjectileContact>(*projectile_, plates());
   ShortRangeContact::Friction friction;
   if (contact.debris_friction > 0.)
-    friction = {friction_law_.get(), contact.debris_friction,
-                contact.regularisation_speed};
+    friction = {friction_law_.get(), contact.debris_friction, contact.regularisation_speed};
   short_range_contact_ = std::make_unique<ShortRangeContact>(
       communicator_, plates(), contact.debris_factor, scene_.symmetric, contact.search, friction);
 }

@@ -15,7 +15,7 @@ struct PlateView
 {
   const Simulation &simulation;
   std::size_t plate;
-  const AdaptivePlate *coupled; // null if it is peridynamic throughout
+  const AdaptivePlate *coupled;  // null if it is peridynamic throughout
   const InterfaceReport *report; // null if it has no interface, or that was not tested
 };
 
@@ -71,15 +71,20 @@ const std::vector<SummaryRow<PlateView>> zone_rows{
      "largest force that a constant strain leaves at the interface, in units of strain (K + 4 "
      "mu/3) h^2"},
     {"conversions", "-",
-     [](P p) { return if_coupled(p, [](P q) { return q.coupled->adaptive_zone().n_conversions(); }); },
+     [](P p)
+     { return if_coupled(p, [](P q) { return q.coupled->adaptive_zone().n_conversions(); }); },
      "elements that became points"},
     {"redistributions", "-",
-     [](P p) { return if_coupled(p, [](P q) { return q.coupled->adaptive_zone().n_redistributions(); }); },
+     [](P p)
+     { return if_coupled(p, [](P q) { return q.coupled->adaptive_zone().n_redistributions(); }); },
      "times that points were shared anew over the ranks"},
     {"conversion_loss_J", "J", [](P p) { return if_coupled(p, conversion_loss); },
      "energy lost where elements became points"},
     {"interface_reached_us", "us",
-     [](P p) { return if_coupled(p, [](P q) { return in_us_or_null(q.coupled->adaptive_zone().reached()); }); },
+     [](P p) {
+       return if_coupled(p,
+                         [](P q) { return in_us_or_null(q.coupled->adaptive_zone().reached()); });
+     },
      "when damage first came near an interface that did not give way; null: never"},
     {"strain_error", "-",
      [](P p) { return if_tested(p, [](R r) { return r.patch.strain_error; }); },

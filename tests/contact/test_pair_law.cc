@@ -99,7 +99,8 @@ TEST(PairLaw, FrictionNeverGivesEnergy)
         const double heat = -(law.friction_limit(mu, f_n) + law.shank_limit(mu)) *
                             law.direction(sliding, speed).dot(sliding);
         EXPECT_GE(heat, 0.) << FrictionLaws::names()[parameters.index()] << " at " << speed;
-        EXPECT_EQ(heat > 0., speed > 0.) << FrictionLaws::names()[parameters.index()] << " at " << speed;
+        EXPECT_EQ(heat > 0., speed > 0.)
+            << FrictionLaws::names()[parameters.index()] << " at " << speed;
         EXPECT_GE(-law.bounded_friction(sliding, mu, f_n, 1e-6, 1e-8).dot(sliding), 0.);
       }
   }

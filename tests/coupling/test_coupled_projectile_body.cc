@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A projectile of points in front and elements behind, alone: its conserved quantities, waves
 // through the interface, its lowest modes.
-#include "ricochet/coupling/coupled_projectile_body.h"
 #include "ricochet/base/exceptions.h"
+#include "ricochet/coupling/coupled_projectile_body.h"
 #include "ricochet/dynamics/largest_frequency.h"
 #include "ricochet/geometry/revolved_hexes.h"
 #include "ricochet/materials/bond_laws.h"
