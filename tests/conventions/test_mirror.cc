@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Tests mirror the rooms: source/<room>/<unit>.cc has tests/<room>/test_<unit>.cc, or stands here
+// with the test that exercises it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <string>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+/// Units without a test of their name, and the test in which they would fail.
+const std::map<std::string, std::string> covered_elsewhere = {
+    {"bodies/nearest_rigid_motion", "finite_elements/test_hexahedral_body"},
+    {"commands/bench/history", "commands/test_command_line"}, // parsed; its figures are for reading
+    {"commands/bench/search_points", "commands/bench/test_search"},
+    {"commands/describe_run", "commands/test_run"},
+    {"commands/ensemble", "commands/test_study"},
+    {"commands/main", "commands/test_command_line"},
+    {"commands/result_folder", "commands/test_run"},
+    {"commands/several_processes", "commands/test_command_line"},
+    // All searches find exactly what the double loop finds.
+    {"contact/body_skin", "contact/test_contact_search"},
+    {"contact/broken_bond_pairs", "contact/test_contact_search"},
+    {"contact/candidate_search", "contact/test_contact_search"},
+    {"contact/contact_ghosts", "contact/test_contact_search"},
+    {"contact/contact_numbering", "contact/test_contact_search"},
+    {"contact/contact_pairs", "contact/test_contact_search"},
+    {"contact/contact_skin", "contact/test_contact_search"},
+    {"contact/friction_work", "contact/test_short_range_contact"},
+    {"contact/hybrid_candidate_search", "contact/test_contact_search"},
+    {"contact/local_candidate_search", "contact/test_contact_search"},
+    {"contact/surface_tangents", "contact/test_surface_contact"},
+    {"coupling/adaptive_plate", "coupling/test_rank_invariance"},
+    {"coupling/calibrated_elements", "coupling/test_calibration"},
+    {"coupling/coupled_plate", "coupling/test_conversion"},
+    {"coupling/coupled_plate_vibration", "dynamics/test_lanczos"},
+    {"coupling/coupled_projectile_motion", "coupling/test_coupled_projectile_body"},
+    {"coupling/stiffness_least_squares", "coupling/test_calibration"},
+    {"finite_elements/element_groups", "finite_elements/test_finite_element_body"},
+    {"finite_elements/finite_element_vibration", "dynamics/test_lanczos"},
+    {"finite_elements/hex_cells", "finite_elements/test_hex_mesh"},
+    {"finite_elements/hexahedral_vibration", "dynamics/test_lanczos"},
+    {"finite_elements/lumped_mass", "finite_elements/test_finite_element_body"},
+    {"geometry/faceted_surface", "geometry/test_hex_solid"},
+    {"geometry/revolved_hexes", "geometry/test_hex_solid"},
+    {"output/section_writer", "output/test_field_writer"},
+    {"peridynamics/halo", "peridynamics/test_redistribution"},
+    {"peridynamics/lattice_state", "peridynamics/test_redistribution"},
+    {"peridynamics/peridynamic_body", "verification/test_waves"},
+    {"peridynamics/peridynamic_vibration", "dynamics/test_largest_frequency"},
+    {"peridynamics/plane_exchange", "peridynamics/test_redistribution"},
+    {"peridynamics/stencil", "peridynamics/test_lattice"},
+    // All three models of the projectile, in whole impacts.
+    {"projectiles/deformable_projectile", "projectiles/test_finite_element_projectile"},
+    {"projectiles/peridynamic_projectile", "projectiles/test_finite_element_projectile"},
+    {"projectiles/projectile_contact", "simulation/test_contact_record_in_runs"},
+    {"scene/bindings", "scene/test_section"},
+    {"scene/contact_section", "scene/test_scene_reader"},
+    {"scene/entry_patterns", "scene/test_quantity"},
+    {"scene/file_reader", "scene/test_parameter_file"},
+    {"scene/impact_section", "scene/test_scene_reader"},
+    {"scene/law_entries", "scene/test_material_entries"},
+    {"scene/material_section", "scene/test_material_entries"},
+    {"scene/output_section", "scene/test_scene_reader"},
+    {"scene/parameter_writer", "scene/test_parameter_template"},
+    {"scene/plate_section", "scene/test_scene_reader"},
+    {"scene/projectile_section", "scene/test_projectile_entries"},
+    {"scene/scene_sections", "scene/test_scene_reader"},
+    {"scene/schema", "scene/test_parameter_template"},
+    {"scene/section_checks", "scene/test_section"},
+    {"scene/stability_reader", "scene/test_stability_section"},
+    {"scene/study_section", "scene/test_study_file"},
+    {"scene/time_section", "scene/test_scene_reader"},
+    {"search/brute_force", "search/test_pair_search"},
+    {"search/cell_grid", "search/test_pair_search"},
+    {"search/kd_tree", "search/test_pair_search"},
+    {"search/linked_cells", "search/test_pair_search"},
+    {"search/near_points", "search/test_hybrid_search"},
+    {"search/pair_loops", "search/test_pair_search"},
+    {"simulation/element_frame", "simulation/test_plate_zone"},
+    {"simulation/simulation_state", "simulation/test_simulation"},
+    {"simulation/zone_summary", "simulation/test_run_summary"},
+};
+
+/// Compiled once per instruction set, each tested through its table of functions; and declarations
+/// of the command line, which commands/test_command_line parses.
+bool is_variant(const std::string &unit)
+{
+  return std::regex_search(unit, std::regex("_(baseline|avx2|avx512)$|^commands/cli/"));
+}
+
+fs::path test_of(const std::string &unit)
+{
+  const fs::path path(unit);
+  return path.parent_path() / ("test_" + path.filename().string());
+}
+
+TEST(Mirror, EveryUnitHasATestOrStandsInTheList)
+{
+  const fs::path source = fs::path(RICOCHET_SOURCE_DIR) / "source";
+  const fs::path tests  = fs::path(RICOCHET_SOURCE_DIR) / "tests";
+  int n_units           = 0;
+  for (const auto &entry : fs::recursive_directory_iterator(source))
+  {
+    if (entry.path().extension() != ".cc")
+      continue;
+    const std::string unit =
+        fs::relative(entry.path(), source).replace_extension("").generic_string();
+    if (is_variant(unit))
+      continue;
+    ++n_units;
+    const bool has_test = fs::exists(tests / (test_of(unit).string() + ".cc"));
+    EXPECT_NE(has_test, covered_elsewhere.count(unit) > 0)
+        << unit << (has_test ? " has a test now: take it off the list" : " has no test");
+  }
+  EXPECT_GT(n_units, 100) << "the tree was not found";
+}
+
+TEST(Mirror, TheListNamesWhatThereIs)
+{
+  const fs::path root(RICOCHET_SOURCE_DIR);
+  for (const auto &[unit, test] : covered_elsewhere)
+  {
+    EXPECT_TRUE(fs::exists(root / "source" / (unit + ".cc"))) << unit;
+    EXPECT_TRUE(fs::exists(root / "tests" / (test + ".cc"))) << test;
+  }
+}
+} // namespace
