@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/contact/rigid_contact.h"
 #include "support/body.h"
+#include "support/verification.h"
 
 #include <gtest/gtest.h>
 
@@ -257,9 +258,10 @@ TEST(RigidContact, BlockSlidingOnAFlatFaceStopsWhereCoulombSays)
     block->advance(dt, dt);
     contact.record_work(dt);
   }
-  EXPECT_NEAR(tenth, 0.9 * v0 / (mu * g), 0.01 * v0 / (mu * g));
-  EXPECT_NEAR(mean(a.position).x() - start, v0 * v0 / (2. * mu * g),
-              0.01 * v0 * v0 / (2. * mu * g));
+  verify_near("V19", "time to a tenth of the speed over v₀/(μg)", tenth / (v0 / (mu * g)), 0.9,
+              0.01);
+  verify_near("V19", "way to rest over v₀²/(2μg)",
+              (mean(a.position).x() - start) / (v0 * v0 / (2. * mu * g)), 1., 0.01);
   EXPECT_LT(mean(a.velocity).norm(), 1e-3 * v0);
   // The ledger: friction has eaten the kinetic energy (what vibrates is below a per cent).
   const double kinetic = 0.5 * 108 * block->point_mass() * v0 * v0;
@@ -324,9 +326,10 @@ TEST(RigidContact, SphereSlidesThenRollsAtFiveSeventhsOfItsSpeed)
   const auto &m = test.ball.motion();
   // The forces act at the points' centres, dx/2 = 1 % of R outside the sphere, which shortens both
   // a little.
-  EXPECT_NEAR(m.velocity.x(), 5. / 7. * v0, 0.01 * v0);
+  verify_near("V20", "speed of the rolling sphere over v₀", m.velocity.x() / v0, 5. / 7., 0.01);
   EXPECT_NEAR(m.spin.y() * R, m.velocity.x(), 0.02 * v0);
-  EXPECT_NEAR(stuck, 0.9 * rolling, 0.02 * rolling); // slip falls linearly
+  // Slip falls linearly.
+  verify_near("V20", "time to a tenth of the slip over 2v₀/(7μg)", stuck / rolling, 0.9, 0.02);
   EXPECT_NEAR(m.velocity.y(), 0., 1e-3 * v0);
 }
 
@@ -349,8 +352,9 @@ TEST(RigidContact, ObliqueReboundInGrossSlipHasTheImpulseOfCoulomb)
   EXPECT_GT(deepest, 0.2 * dx);
   EXPECT_LT(deepest, 0.9 * dx); // one layer of points
   EXPECT_NEAR(m.velocity.z(), v_n, 0.002 * v_n);
-  EXPECT_NEAR(m.velocity.x() - v_t, -mu * 2. * v_n, 0.02 * mu * 2. * v_n);
-  EXPECT_NEAR(m.spin.y(), 5. * mu * 2. * v_n / (2. * R), 0.02 * 5. * mu * 2. * v_n / (2. * R));
+  verify_near("V21", "change of the tangential velocity over -2μvₙ",
+              (m.velocity.x() - v_t) / (-mu * 2. * v_n), 1., 0.02);
+  verify_near("V21", "spin over 5μvₙ/R", m.spin.y() / (5. * mu * 2. * v_n / (2. * R)), 1., 0.02);
 }
 } // namespace
 } // namespace ricochet::tests

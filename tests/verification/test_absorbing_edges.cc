@@ -4,6 +4,7 @@
 #include "ricochet/finite_elements/finite_element_body.h"
 
 #include "support/coupled_scene.h"
+#include "support/verification.h"
 
 #include <gtest/gtest.h>
 
@@ -117,10 +118,13 @@ TEST(V25Dashpot, ReflectsWhatTheListSays)
   Row row(1000, 0);
   for (int i = 0; i < 4; ++i)
   {
-    EXPECT_NEAR(row.reflection(ratios[i] * h, 0.9), at_09[i], 0.2 * at_09[i]) << ratios[i];
-    EXPECT_NEAR(row.reflection(ratios[i] * h, 0.5), at_05[i], 0.2 * at_05[i]) << ratios[i];
+    verify_near("V25", "reflection of P waves at 0.9 of the stable step over the prototype's",
+                row.reflection(ratios[i] * h, 0.9) / at_09[i], 1., 0.2);
+    verify_near("V25", "reflection of P waves at 0.5 of the stable step over the prototype's",
+                row.reflection(ratios[i] * h, 0.5) / at_05[i], 1., 0.2);
   }
-  EXPECT_LE(row.balance, 1e-6) << "absorbed energy is not booked";
+  verify_at_most("V25", "change of the sum of all energies, the absorbed one included", row.balance,
+                 1e-6);
 }
 
 TEST(V25Dashpot, ReflectsShearWavesByTheSameFormula)
@@ -133,7 +137,8 @@ TEST(V25Dashpot, ReflectsShearWavesByTheSameFormula)
     const double kh = 2. * M_PI / ratio;
     const double S  = std::sin(2. * std::asin(courant * std::sin(0.5 * kh))) / courant;
     const double R  = std::abs(std::sin(kh) - S) / (std::sin(kh) + S);
-    EXPECT_NEAR(row.reflection(ratio * h, courant), R, 0.1 * R) << ratio;
+    verify_near("V25", "reflection of S waves over the formula",
+                row.reflection(ratio * h, courant) / R, 1., 0.1);
   }
 }
 

@@ -2,6 +2,7 @@
 // V8: two equal elastic bars collide. By St Venant's wave theory they touch for 2 L/c and exchange
 // their velocities.
 #include "support/coupled_plate.h"
+#include "support/verification.h"
 
 #include "ricochet/contact/short_range_contact.h"
 
@@ -89,9 +90,12 @@ TEST(V8Bars, OfFourHundredSpacingsTouchForTwoPassagesAndExchangeTheirVelocities)
                v_right = right.far->momenta().linear.x() / mass;
   std::printf("contact time %.4f of 2 L/c, velocities %.4f %.4f of v\n",
               (last - first) / (2. * L / c), v_left / v, v_right / v);
-  EXPECT_NEAR(last - first, 2. * L / c, 0.02 * 2. * L / c);
-  EXPECT_NEAR(v_left, -v, 0.02 * v);
-  EXPECT_NEAR(v_right, v, 0.02 * v);
+  verify_near("V8", "two equal coupled bars: contact time over 2L/c", (last - first) / (2. * L / c),
+              1., 0.02);
+  verify_near("V8", "two equal coupled bars: velocity of the left one afterwards over v",
+              v_left / v, -1., 0.02);
+  verify_near("V8", "two equal coupled bars: velocity of the right one afterwards over v",
+              v_right / v, 1., 0.02);
 }
 } // namespace
 } // namespace ricochet::tests

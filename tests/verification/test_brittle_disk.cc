@@ -6,6 +6,7 @@
 #include "ricochet/contact/rigid_contact.h"
 #include "ricochet/contact/short_range_contact.h"
 #include "support/body.h"
+#include "support/verification.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,9 @@ TEST(BrittleDisk, KeepsItsSymmetryAndBreaksEvenly)
   std::vector<std::unique_ptr<PeridynamicBody>> bodies;
   bodies.push_back(make_body(sample));
   auto &disk = *bodies[0];
-  EXPECT_EQ(disk.lattice().n_owned_points(), 103110); // stated there
+  // The number is stated there.
+  verify_near("V17", "points of the disk", static_cast<double>(disk.lattice().n_owned_points()),
+              103110., 0.);
 
   const auto law = make_friction_law(ConstantFriction::Parameters{0.});
   RigidContact contact(MPI_COMM_SELF, *law, {youngs_modulus(disk.material()) * dx, 0., 1.}, false,
@@ -79,7 +82,8 @@ TEST(BrittleDisk, KeepsItsSymmetryAndBreaksEvenly)
     if (n_steps_whole == step && disk.n_broken_entries() == 0)
     {
       ++n_steps_whole;
-      EXPECT_LT(asymmetry(disk), 1e-8 * speed) << "step " << step;
+      verify_at_most("V17", "asymmetry of the velocities before the first break over v",
+                     asymmetry(disk) / speed, 1e-8);
     }
     const auto reaction = contact.add_forces(sphere, disk);
     debris.add_forces(dt);
@@ -104,7 +108,8 @@ TEST(BrittleDisk, KeepsItsSymmetryAndBreaksEvenly)
                  });
   EXPECT_GT(total, 1000.);
   for (const double quarter : damage)
-    EXPECT_NEAR(quarter, total / 4., 0.01 * total / 4.);
+    verify_near("V17", "damage of each quarter over a fourth of all", quarter / (total / 4.), 1.,
+                0.01);
   EXPECT_LT(sphere.motion().velocity.z(), -0.5 * speed) << "it goes through";
   EXPECT_GT(sphere.motion().velocity.z(), -0.95 * speed) << "and is slowed";
 }

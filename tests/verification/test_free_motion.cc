@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // V3 and V4: a coupled body left to itself keeps its energy and momenta.
 #include "support/coupled_plate.h"
+#include "support/verification.h"
 
 #include "ricochet/dynamics/largest_frequency.h"
 
@@ -74,9 +75,11 @@ TEST(V3SpinningBody, KeepsEnergyAndMomenta)
   for (const bool correct_mass : {true, false})
   {
     const auto drift = spin(correct_mass, 2000);
-    EXPECT_LE(drift.energy, 1e-5);
-    EXPECT_LE(drift.linear, 1e-12);
-    EXPECT_LE(drift.angular, 1e-10);
+    verify_at_most("V3", "energy of a spinning coupled body, 2000 steps", drift.energy, 1e-5);
+    verify_at_most("V3", "linear momentum of a spinning coupled body, 2000 steps", drift.linear,
+                   1e-12);
+    verify_at_most("V3", "angular momentum of a spinning coupled body, 2000 steps", drift.angular,
+                   1e-10);
   }
 }
 
@@ -85,9 +88,11 @@ TEST(LongV3SpinningBody, KeepsEnergyAndMomentaFor100000Steps)
   const auto drift = spin(true, 100000);
   std::printf("energy %g (at the end %g), linear momentum %g, angular momentum %g\n", drift.energy,
               drift.energy_at_the_end, drift.linear, drift.angular);
-  EXPECT_LE(drift.energy, 1e-5);
-  EXPECT_LE(drift.linear, 1e-12);
-  EXPECT_LE(drift.angular, 1e-10);
+  verify_at_most("V3", "energy of a spinning coupled body, 100 000 steps", drift.energy, 1e-5);
+  verify_at_most("V3", "linear momentum of a spinning coupled body, 100 000 steps", drift.linear,
+                 1e-12);
+  verify_at_most("V3", "angular momentum of a spinning coupled body, 100 000 steps", drift.angular,
+                 1e-10);
 }
 
 /// The body's matrices, measured with its force routines: K by small displacements, M_eff^-1 from
@@ -199,7 +204,8 @@ void expect_conserving_matrices(const int n_steps)
     u += dt * (w * momentum);
   }
   EXPECT_GT(first, 0.);
-  EXPECT_LE(worst, 1e-10);
+  verify_at_most("V4", "discrete energy of the linear coupled body, 2000 and 20 000 steps", worst,
+                 1e-10);
 }
 
 TEST(V4WhiteNoise, FrequenciesAreRealAndNothingGrows)
@@ -253,8 +259,10 @@ void expect_bounded_energy(const int n_steps)
     worst_mean = std::max(worst_mean, std::abs((up[i] + down[i]) / (up[0] + down[0]) - 1.));
   }
   std::printf("energy %g, mean of both signs %g\n", worst, worst_mean);
-  EXPECT_LE(worst, 2e-6);
-  EXPECT_LE(worst_mean, 1e-8);
+  verify_at_most("V4", "energy of the coupled body, whose strains are finite, 2000 steps", worst,
+                 2e-6);
+  verify_at_most("V4", "energy of the coupled body, mean over noise of both signs, 2000 steps",
+                 worst_mean, 1e-8);
 }
 
 TEST(V4WhiteNoise, EnergyOfTheBodyItselfIsBounded)

@@ -5,6 +5,7 @@
 #include "ricochet/contact/friction_laws.h"
 #include "ricochet/contact/rigid_contact.h"
 #include "support/body.h"
+#include "support/verification.h"
 
 #include <gtest/gtest.h>
 
@@ -62,9 +63,9 @@ TEST(Hertz, SteelBallOnPmmaHasTheForceDurationAndReturnOfTheory)
     block->advance(dt, dt);
     ball.advance(reaction.force(), reaction.moment, dt, dt);
   }
-  EXPECT_NEAR(largest, force, 0.05 * force);
-  EXPECT_NEAR(last - first, duration, 0.05 * duration);
-  EXPECT_GT(ball.motion().velocity.z(), 0.97 * v);
+  verify_near("V12", "largest force over that of Hertz", largest / force, 1., 0.05);
+  verify_near("V12", "contact time over that of Hertz", (last - first) / duration, 1., 0.05);
+  verify_at_least("V12", "rebound over v", ball.motion().velocity.z() / v, 0.97);
   EXPECT_LE(ball.motion().velocity.z(), v);
 }
 } // namespace
