@@ -194,8 +194,7 @@ private:
     notes_.bond_rate         = bond_rate();
     notes_.deepest           = warnings_.deepest();
     notes_.on_elements_since = warnings_.on_elements_since();
-    const auto summary =
-        run_summary({simulation_, watch_, verdict, totals_, notes_}, damage_.plates());
+    auto summary = run_summary({simulation_, watch_, verdict, totals_, notes_}, damage_.plates());
     write_summary(communicator_, directory_, summary);
     write_damage_maps(communicator_, directory_, damage_.maps());
     history_.close();
@@ -230,8 +229,7 @@ nlohmann::ordered_json run_scene(const MPI_Comm communicator, const ParameterFil
   // A run wants to begin: 3 % of the strain error are good enough. The test moves the nodes and
   // brings them back, so it comes before all that only looks at the simulation.
   auto interfaces = interface_reports(communicator, simulation, /*residual_left=*/3e-2);
-  const auto summary =
-      Run(communicator, simulation, std::move(interfaces), options)(start_cpu_seconds);
+  auto summary = Run(communicator, simulation, std::move(interfaces), options)(start_cpu_seconds);
   if (scene.output.pictures)
     draw_pictures(communicator, scene.output.directory, options.quiet);
   return summary;

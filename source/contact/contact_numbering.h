@@ -24,7 +24,7 @@ public:
 
   explicit ContactNumbering(const Bodies &bodies);
 
-  std::int64_t id(int body, const std::array<int, 3> &lattice) const;
+  std::int64_t id(int body, const std::array<int, 3> &at) const;
   Place place(std::int64_t id) const;
   /// Families of neighbours: of all of them, or some if the bodies differ in their horizon.
   Families families(const std::vector<std::int64_t> &ids) const;

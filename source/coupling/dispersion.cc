@@ -44,8 +44,8 @@ double largest_over_wave_vectors(const Dispersion &dispersion)
     const Vector3 centre = best;
     for (int neighbour = 0; neighbour < 27; ++neighbour)
     {
-      const Vector3 at =
-          centre + step * Vector3(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
+      const int along[3] = {neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1};
+      const Vector3 at   = centre + step * Vector3(along[0], along[1], along[2]);
       if (const double value = largest_eigenvalue(dispersion.matrix(at)); value > largest)
       {
         largest = value;

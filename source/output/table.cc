@@ -46,9 +46,11 @@ std::string Table::csv() const
       {
         for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2)
           cell.insert(at, 1, '"');
-        cell = '"' + cell + '"';
+        cell.insert(0, 1, '"');
+        cell += '"';
       }
-      text += (i ? "," : "") + cell;
+      text += i ? "," : "";
+      text += cell;
     }
     text += '\n';
   }

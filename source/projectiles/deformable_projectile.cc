@@ -109,7 +109,7 @@ void DeformableProjectile::compute_internal_forces(const ForceRequest &request)
 ContactRecord DeformableProjectile::add_contact_forces(const std::size_t plate,
                                                        PeridynamicBody &points)
 {
-  const auto reaction = contacts_[plate].add_forces(nodes(), surface_, motion_.position, points);
+  auto reaction = contacts_[plate].add_forces(nodes(), surface_, motion_.position, points);
   distribute_surface_forces();
   return reaction;
 }

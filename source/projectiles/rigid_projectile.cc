@@ -18,7 +18,7 @@ RigidProjectile::RigidProjectile(const MPI_Comm communicator, const Scene &scene
 
 ContactRecord RigidProjectile::add_contact_forces(const std::size_t plate, PeridynamicBody &points)
 {
-  const auto reaction = contacts_[plate].add_forces(rigid_, points);
+  auto reaction = contacts_[plate].add_forces(rigid_, points);
   load_ += reaction;
   return reaction;
 }

@@ -40,31 +40,31 @@ void check_boxes(const ZoneParameters &zone, const Scene &scene, const Entry &ki
 }
 } // namespace
 
-void add_interface_entries(Section &in, CouplingParameters &coupling, bool &full_quadrature,
+void add_interface_entries(Section &section, CouplingParameters &coupling, bool &full_quadrature,
                            double &hourglass_coefficient)
 {
-  in.with_default("Method",
-                  choice(coupling.method, words_of(coupling_methods, &CouplingMethodName::method)),
-                  "calibrated energy blend", "What ties points and elements together");
-  in.with_default("Blend function", choice(coupling.blend, blend_functions), "cubic",
-                  "Fall of the weight over the blend; of the energy and force blends only");
-  const Entry &width = in.with_default(
+  section.with_default(
+      "Method", choice(coupling.method, words_of(coupling_methods, &CouplingMethodName::method)),
+      "calibrated energy blend", "What ties points and elements together");
+  section.with_default("Blend function", choice(coupling.blend, blend_functions), "cubic",
+                       "Fall of the weight over the blend; of the energy and force blends only");
+  const Entry &width = section.with_default(
       "Blend width", quantity(coupling.blend_width, Dimension::number, Limit::positive), "2",
       "Width of the blend in horizons; of the energy and force blends only");
-  in.with_default("Mass correction", flag(coupling.correct_mass), "true",
-                  "Whether the elements next to the zone get their consistent mass, to first "
-                  "order: waves pass the interface better");
-  in.with_default("Element size", choice(coupling.points_per_edge, element_sizes), "2",
-                  "Edge of the elements next to the zone, in grid spacings; 1 halves the time "
-                  "step, 4 keeps out waves of four horizons and less");
-  in.with_default("Quadrature", choice(full_quadrature, quadratures), "one point",
-                  "Integration of the elements away from the zone: one point with hourglass "
-                  "control, or 2 x 2 x 2 points");
-  in.with_default("Hourglass coefficient",
-                  quantity(hourglass_coefficient, Dimension::number, Limit::not_negative), "1",
-                  "Stiffness of the hourglass modes; 1 gives pure bending its exact energy, 0 "
-                  "switches the control off");
-  in.check(
+  section.with_default("Mass correction", flag(coupling.correct_mass), "true",
+                       "Whether the elements next to the zone get their consistent mass, to first "
+                       "order: waves pass the interface better");
+  section.with_default("Element size", choice(coupling.points_per_edge, element_sizes), "2",
+                       "Edge of the elements next to the zone, in grid spacings; 1 halves the time "
+                       "step, 4 keeps out waves of four horizons and less");
+  section.with_default("Quadrature", choice(full_quadrature, quadratures), "one point",
+                       "Integration of the elements away from the zone: one point with hourglass "
+                       "control, or 2 x 2 x 2 points");
+  section.with_default("Hourglass coefficient",
+                       quantity(hourglass_coefficient, Dimension::number, Limit::not_negative), "1",
+                       "Stiffness of the hourglass modes; 1 gives pure bending its exact energy, 0 "
+                       "switches the control off");
+  section.check(
       [&coupling, &width]
       {
         if (coupling.blend_width > 10.)

@@ -11,6 +11,7 @@ std::string meaning_of_constant(const std::string &meaning, const std::vector<st
   if (laws.size() == n_laws)
     return meaning;
   std::vector<std::string> quoted;
+  quoted.reserve(laws.size());
   for (const auto &law : laws)
     quoted.push_back(in_quotes(law));
   return meaning + (laws.size() == 1 ? "; of the law " : "; of the laws ") +

@@ -18,7 +18,7 @@ std::vector<std::string> list_of(const Entry &entry)
 {
   if (entry.text().empty())
     return {};
-  const auto parts = split(entry.text(), ',');
+  auto parts = split(entry.text(), ',');
   if (std::find(parts.begin(), parts.end(), "") != parts.end())
     entry.fail("The list has an empty place.", "Remove the comma too many.");
   return parts;

@@ -47,7 +47,7 @@ public:
   /// With the default options.
   FiniteElementBody(MPI_Comm communicator, const HexMesh::Box &box,
                     const FiniteElementMaterial &material);
-  ~FiniteElementBody();
+  ~FiniteElementBody() override;
   FiniteElementBody(const FiniteElementBody &)            = delete;
   FiniteElementBody &operator=(const FiniteElementBody &) = delete;
 
