@@ -19,7 +19,7 @@ INSTANTIATE_TEST_SUITE_P(Models, StartOfProjectile,
                          testing::Values(small_scene(), deformable(small_scene()),
                                          peridynamic(small_scene()),
                                          peridynamic_nose(small_scene())),
-                         [](const auto &info) { return model_name(info.param); });
+                         [](const auto &model) { return model_name(model.param); });
 
 TEST_P(StartOfProjectile, LowestPointIsAboveTheEntryPointAndTheAxisInclined)
 {

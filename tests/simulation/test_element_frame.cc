@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simulation/element_frame.h"
+
+#include "support/coupled_plate.h"
+
+#include <gtest/gtest.h>
+
+namespace ricochet::tests
+{
+namespace
+{
+TEST(ElementFrame, ShowsTheElementsOutsideTheZoneWhereTheyAre)
+{
+  CoupledSample sample;
+  sample.communicator = MPI_COMM_SELF;
+  sample.zone         = {{5, 0, 5}, {9, 4, 9}}; // down to the layer of the section
+  PlateModel model(sample);
+  const Vector3 shift(1e-4, -2e-4, 3e-4), speed(5., 6., 7.);
+  const auto map = [&](const Vector3 &X) -> Vector3 { return 1.01 * X + shift; };
+  model.set_velocity([&](const Vector3 &) { return speed; });
+  model.deform(map);
+  ElementFrame frame;
+  add_elements(*model.far, /*body=*/3, frame);
+
+  // Every cell is either drawn as an element or has points.
+  const auto &zone  = *model.zone;
+  std::size_t n_far = 0, n_far_in_front = 0;
+  for (int x = 0; x < 14; ++x)
+    for (int y = 0; y < 14; ++y)
+      for (int z = 0; z < 14; ++z)
+      {
+        const bool far = zone.layer({x, y, z}) >= zone.far();
+        n_far += far;
+        n_far_in_front += far && y == 0;
+      }
+  ASSERT_GT(n_far_in_front, 0u);
+  ASSERT_LT(n_far, 14u * 14u * 14u);
+  ASSERT_EQ(frame.corners.size(), n_far);
+  ASSERT_EQ(frame.body, std::vector<int>(n_far, 3));
+  for (std::size_t i = 0; i < n_far; ++i)
+  {
+    const Vector3 low = (frame.corners[i][0] - shift) / 1.01;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const Vector3 X =
+          low + model.edge() * Vector3(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1);
+      EXPECT_LT((frame.corners[i][corner] - map(X)).norm(), 1e-15);
+    }
+    const Vector3 middle = low + Vector3::Constant(0.5 * model.edge());
+    EXPECT_LT((frame.displacement[i] - (map(middle) - middle)).norm(), 1e-15);
+    EXPECT_LT((frame.velocity[i] - speed).norm(), 1e-12);
+  }
+  // The section fills the elements in the first layer as points would.
+  const std::size_t n_per_cell = zone.points_per_edge() * zone.points_per_edge();
+  ASSERT_EQ(frame.section_position.size(), n_far_in_front * n_per_cell);
+  ASSERT_EQ(frame.section_body.size(), frame.section_position.size());
+  for (const auto &x : frame.section_position)
+  {
+    const Vector3 place = (x - shift) / 1.01 / model.spacing - Vector3::Constant(0.5);
+    EXPECT_NEAR(place.y(), 0., 1e-9);
+    EXPECT_NEAR(place.x(), std::round(place.x()), 1e-9);
+    EXPECT_NEAR(place.z(), std::round(place.z()), 1e-9);
+  }
+}
+} // namespace
+} // namespace ricochet::tests
