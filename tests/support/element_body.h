@@ -3,12 +3,12 @@
 #pragma once
 
 #include "ricochet/finite_elements/finite_element_body.h"
+#include "support/random.h"
 
 #include <Eigen/Dense>
 
 #include <cmath>
 #include <memory>
-#include <random>
 
 namespace ricochet::tests
 {
@@ -40,22 +40,6 @@ inline double p_wave_speed(const FiniteElementMaterial &m)
 {
   return std::sqrt(p_wave_modulus(m) / m.density);
 }
-
-/// The same numbers with every standard library.
-class Random
-{
-public:
-  explicit Random(const unsigned int seed) : engine_(seed) {}
-  double uniform() { return 2. * engine_() / double(std::mt19937::max()) - 1.; } // in [-1, 1]
-  Vector3 vector()
-  {
-    const double x = uniform(), y = uniform(), z = uniform();
-    return {x, y, z};
-  }
-
-private:
-  std::mt19937 engine_;
-};
 
 /// Irregular but a function of the place alone, hence the same on any rank; components in [-1, 1].
 inline Vector3 noise_at(const Vector3 &X, const double length)
