@@ -65,8 +65,8 @@ void SectionWriter::write(const unsigned int number, const double time, const Po
   position.insert(position.end(), elements.section_position.begin(),
                   elements.section_position.end());
   damage.resize(position.size(), 0.f); // elements do not break
-  for (const int number : elements.section_body)
-    body.push_back(static_cast<float>(number));
+  for (const int plate : elements.section_body)
+    body.push_back(static_cast<float>(plate));
   const std::vector<float> all_positions = gather(comm_, flattened(position));
   const std::vector<float> all_damage    = gather(comm_, damage);
   const std::vector<float> all_bodies    = gather(comm_, body);

@@ -13,19 +13,21 @@
 #include "ricochet/peridynamics/plane_sums.h"
 
 #include <array>
+#include <vector>
 
 namespace ricochet
 {
 class FractureEnergy
 {
 public:
-  /// `body` must outlive this object. `mirrored`: y = 0 is a symmetry plane.
-  FractureEnergy(const PeridynamicBody &body, bool mirrored);
+  /// `body` must outlive this object; that it is complete is not asked for before record().
+  explicit FractureEnergy(const PeridynamicBody &body);
 
-  /// Adds what the last evaluate() of the body has broken; `dt` is the step that led there [s].
+  /// Adds what the last break_bonds() of the body has broken; `dt` is the step that led there [s].
   void record(double dt);
 
-  /// Energy released so far, both halves [J], and bonds broken so far, each once. Collective.
+  /// Energy released so far [J], and bonds broken so far, each once; of the half that is computed.
+  /// Collective.
   struct Total
   {
     double energy, n_bonds;
@@ -34,15 +36,22 @@ public:
   Total total(MPI_Comm communicator) const;
 
 private:
-  const PeridynamicBody &body_;
-  double multiplicity_;
-  PlaneSums<2> sums_; // energy, bond ends
+  /// What a broken bond held of an owned point's theta.
   struct LostTheta
   {
     std::ptrdiff_t point;
-    double now, before; // contribution of a broken bond at this step and one step ago [-]
-    std::array<double, max_maxwell_branches> held_before; // of its branches, one step ago [-]
+    double now, before;                                   // at this step and one step ago [-]
+    std::array<double, max_maxwell_branches> held_before; // by its branches, one step ago [-]
+
+    void operator+=(const LostTheta &other);
   };
-  std::vector<LostTheta> lost_theta_; // of owned points
+  /// The `number`-th bond of the log, k from p to q.
+  void record_bond(std::ptrdiff_t p, std::ptrdiff_t q, std::size_t k, std::size_t number,
+                   double dt);
+  void record_theta(const LostTheta &lost);
+
+  const PeridynamicBody &body_;
+  PlaneSums<2> sums_;                 // energy [J], bond ends
+  std::vector<LostTheta> lost_theta_; // of owned points, per bond
 };
 } // namespace ricochet

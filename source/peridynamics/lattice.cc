@@ -217,6 +217,14 @@ std::ptrdiff_t Lattice::index(const int x, const int y, const int z) const
   return (x - first_plane_ + stencil_.reach) * plane_stride_ + z * row_stride_ + y - y_low_;
 }
 
+std::vector<std::int64_t> Lattice::shifts() const
+{
+  std::vector<std::int64_t> shifts;
+  for (const auto &offset : stencil_.offsets)
+    shifts.push_back(shift(offset));
+  return shifts;
+}
+
 Vector3 Lattice::reference_position(const std::array<int, 3> &c) const
 {
   return box_.corner + box_.spacing * Vector3(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/peridynamics/lattice_state.h"
 
+#include "plane_exchange.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
@@ -50,7 +52,7 @@ LatticeState::LatticeState(const Lattice &lattice) :
   {
     arrays.half_weight = take();
     arrays.hold        = take();
-    weigh(lattice, 0, size_);
+    set_weights(lattice, 0, size_);
   }
 
   for (std::ptrdiff_t p = 0; p < size_; ++p)
@@ -61,8 +63,22 @@ LatticeState::LatticeState(const Lattice &lattice) :
   }
 }
 
-void LatticeState::weigh(const Lattice &lattice, const std::ptrdiff_t first,
-                         const std::ptrdiff_t last)
+void LatticeState::rest(const Lattice &lattice)
+{
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        const Vector3 x = lattice.reference_position(lattice.coordinates(p));
+        for (int d = 0; d < 3; ++d)
+        {
+          arrays.position[d][p] = x[d];
+          arrays.velocity[d][p] = arrays.force[d][p] = 0.;
+        }
+      });
+}
+
+void LatticeState::set_weights(const Lattice &lattice, const std::ptrdiff_t first,
+                               const std::ptrdiff_t last)
 {
   for (std::ptrdiff_t p = first; p < last; ++p)
     if (lattice.exists(p))
@@ -82,7 +98,44 @@ void LatticeState::follow_zone(const Lattice &lattice, const int first, const in
   };
   // Weights depend on the layers of neighbouring cells.
   const int edge = lattice.zone()->points_per_edge();
-  weigh(lattice, plane(first - edge), plane(last + edge));
+  set_weights(lattice, plane(first - edge), plane(last + edge));
+}
+
+void LatticeState::scale_weights(const Lattice &lattice, const std::vector<double> &factor)
+{
+  for (const auto &range : lattice.existing_ranges())
+    for (std::ptrdiff_t p = range.first * Lattice::block_size; p < range.last * Lattice::block_size;
+         ++p)
+      if (lattice.exists(p))
+        arrays.half_weight[p] *= factor[p];
+}
+
+void LatticeState::weigh(const Lattice &lattice, double *const field) const
+{
+  if (arrays.half_weight == nullptr)
+    return;
+  for (const auto &range : lattice.owned_ranges())
+    for (std::ptrdiff_t p = range.first * Lattice::block_size; p < range.last * Lattice::block_size;
+         ++p)
+      field[p] *= 2. * arrays.half_weight[p];
+}
+
+void LatticeState::take_over(const LatticeState &before, const PlaneExchange &planes,
+                             const Lattice &lattice)
+{
+  const auto &from = before.arrays;
+  for (int d = 0; d < 3; ++d)
+  {
+    planes.move(from.position[d], arrays.position[d]);
+    planes.move(from.velocity[d], arrays.velocity[d]);
+  }
+  planes.move(from.theta_before, arrays.theta_before);
+  // A ghost's bonds with other ghosts do not exist here.
+  const auto existing = bonds_;
+  planes.move(from.bonds, arrays.bonds,
+              static_cast<double>(lattice.stencil().offsets.size()) / Lattice::block_size);
+  for (std::size_t i = 0; i < existing.size(); ++i)
+    arrays.bonds[i] &= existing[i];
 }
 
 void LatticeState::zero(const Lattice &lattice, double *field) const
@@ -111,5 +164,14 @@ void LatticeState::mirror(const Lattice &lattice, double *const scalar) const
 {
   lattice.for_each_image([&](const std::ptrdiff_t image, const std::ptrdiff_t original)
                          { scalar[image] = scalar[original]; });
+}
+
+void LatticeState::mirror_component(const Lattice &lattice, double *const field,
+                                    const int component) const
+{
+  // 23 and 12 change their sign in the mirror.
+  const double sign = component == 3 || component == 5 ? -1. : 1.;
+  lattice.for_each_image([&](const std::ptrdiff_t image, const std::ptrdiff_t original)
+                         { field[image] = sign * field[original]; });
 }
 } // namespace ricochet

@@ -6,6 +6,8 @@
 
 #include <mpi.h>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace ricochet
 {
@@ -26,6 +28,17 @@ public:
     static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
     move_bytes(reinterpret_cast<const char *>(from), reinterpret_cast<char *>(to),
                per_point * sizeof(T));
+  }
+
+  /// The same in place: the array gets the size that the new share needs, zero where no old owner
+  /// is.
+  template <class T>
+  void move(std::vector<T> &field, const double per_point = 1.) const
+  {
+    std::vector<T> moved(static_cast<std::size_t>(static_cast<double>(to_.size()) * per_point),
+                         T{});
+    move(field.data(), moved.data(), per_point);
+    field = std::move(moved);
   }
 
 private:

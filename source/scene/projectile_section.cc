@@ -96,10 +96,10 @@ void ProjectileEntries::read_peridynamic_length() const
 {
   const auto &shape    = projectile.shape;
   const bool is_given  = peridynamic_length->is_given();
-  const auto in_mm_all = [](const double length)
+  const auto in_mm_all = [](const double x)
   {
     std::ostringstream out;
-    out << 1e3 * length << " mm";
+    out << 1e3 * x << " mm";
     return out.str();
   };
   if (shape.nose == NoseShape::sphere)

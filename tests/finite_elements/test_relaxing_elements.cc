@@ -457,8 +457,10 @@ TEST(RelaxingElements, BondsTakeOverWhereElementsStop)
     bonds.update_ghosts();
   };
   move(1.);
-  bonds.history()->start_from(bonds.state().arrays, [&](const Vector3 &, const int k)
-                              { return element->back_strain(0, k); });
+  bonds.history()->take_over(
+      bonds.state().arrays, bonds.bond_damage().sound_bonds(),
+      [&](std::ptrdiff_t, const int k) -> Eigen::Matrix3d
+      { return element->back_strain(0, k) - maxwell_step(series[k], dt).lag * strain; });
   for (int i = 0; i < 60; ++i)
   {
     // The force on the left half of a column in the middle is the traction on its cut.

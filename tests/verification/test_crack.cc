@@ -83,7 +83,7 @@ Crack crack(const bool coupled, const int n_steps)
     strip.advance(dt, dt);
   }
   Crack result;
-  points.for_each_broken_bond(
+  points.bond_damage().for_each_broken_bond(
       [&](const std::ptrdiff_t p, const std::ptrdiff_t q, std::size_t)
       {
         const auto a = lattice.coordinates(p), b = lattice.coordinates(q);

@@ -16,6 +16,8 @@
 #pragma once
 
 #include "ricochet/materials/relaxation.h"
+#include "ricochet/peridynamics/bond_history.h"
+#include "ricochet/peridynamics/broken_bond_log.h"
 #include "ricochet/peridynamics/lattice_state.h"
 #include "ricochet/peridynamics/plane_sums.h"
 
@@ -49,7 +51,7 @@ public:
   void begin(const LatticeArrays &arrays);
   /// After bonds were broken and w theta of owned points is complete: takes broken bonds out of
   /// theta_b and fills volumetric() of owned points, which then goes to ghosts and images.
-  void close_theta(const LatticeArrays &arrays, const BrokenBonds *broken, std::size_t n_broken);
+  void close_theta(const LatticeArrays &arrays, const BrokenBondLog &broken);
   /// What theta holds back, of all points [-]; see close_theta().
   double *volumetric() { return volumetric_.data(); }
   /// For the kernel; if this is no step, it leaves the history where it is.
@@ -75,19 +77,12 @@ public:
   {
     return theta_history_[branch][point];
   }
-  /// e_b,k of bond `offset` of a point that has the extension e [m].
-  double back_extension(std::ptrdiff_t point, std::size_t offset, int branch, double e) const;
 
-  /// Starts from given back-strains instead of none, for bodies that take over from finite
-  /// elements: e_b = xi . E_b xi / |xi| with the mean of E_b at the bond's ends, theta_b their sum
-  /// (tr E_b in a full family). `back_strain(X, branch)` is asked at reference positions on this
-  /// side of a symmetry plane; positions and theta must be those of the coming evaluation.
-  void start_from(const LatticeArrays &arrays,
-                  const std::function<Eigen::Matrix3d(const Vector3 &, int)> &back_strain);
-
-  /// The same for the bonds of `chosen` (bits as LatticeArrays::bonds) only, from what a step of
-  /// finite elements would have left: G = r E_b + (1 - r - beta) E of the step before, asked at
-  /// points, ghosts and images too. theta_b of all points is summed anew, with their weights.
+  /// Bonds of `chosen` (bits as LatticeArrays::bonds) start from what a step of finite elements
+  /// would have left: g = xi . G xi / |xi| with the mean of G at the bond's ends, G = r E_b + (1 -
+  /// r
+  /// - beta) E of the step before. `history(p, branch)` is G [-], asked at points, ghosts and
+  /// images too. theta_b of all points is summed anew, with their weights.
   void take_over(const LatticeArrays &arrays, const std::vector<std::uint8_t> &chosen,
                  const std::function<Eigen::Matrix3d(std::ptrdiff_t, int)> &history);
 
@@ -111,20 +106,16 @@ private:
            p < range.last * Lattice::block_size; ++p)
         visit(p);
   }
-  std::size_t entry(std::ptrdiff_t point, std::size_t offset, int branch) const;
-  double read(std::size_t entry) const;
-  void write(std::size_t entry, double value);
-  double extension(const LatticeArrays &arrays, std::ptrdiff_t p, std::size_t offset,
-                   double dt) const;
+  void take_out(const LatticeArrays &arrays, const BrokenBondLog &broken);
+  double extension_before(const LatticeArrays &arrays, std::ptrdiff_t p, std::size_t offset) const;
 
   const Lattice &lattice_;
   FamilyConstants family_;
   std::vector<BondConstants> constants_;
-  std::vector<std::ptrdiff_t> shifts_;
+  std::vector<std::int64_t> shifts_;
   std::vector<MaxwellStep> branches_, halted_branches_;
   double dt_; // [s]
-  std::vector<float> single_history_;
-  std::vector<double> double_history_;
+  BondHistory history_;
   std::vector<std::vector<double>> theta_history_; // [branch][point]
   std::vector<double> volumetric_, dissipated_at_; // per point, see RelaxingBonds
   std::vector<double> lost_theta_;     // of bonds just broken, one step ago; per point [-]

@@ -16,7 +16,8 @@ public:
   /// times. `body`: its number, which keeps the messages of several bodies apart.
   Halo(MPI_Comm communicator, const Lattice &lattice, int body);
 
-  /// Copies the neighbours' outermost owned planes of each field into this rank's ghost planes.
+  /// Copies the neighbours' outermost owned planes, as many as the stencil reaches, of each field
+  /// into this rank's ghost planes. Fields: Lattice::size() numbers each.
   void exchange(std::initializer_list<double *> fields);
 
 private:

@@ -78,6 +78,8 @@ public:
   {
     return o.x * plane_stride_ + o.z * row_stride_ + o.y;
   }
+  /// The same of all offsets; no matter which planes are owned.
+  std::vector<std::int64_t> shifts() const;
 
   /// Lattice coordinates of a flat index: x global, y negative for a mirror image.
   std::array<int, 3> coordinates(std::ptrdiff_t index) const;

@@ -1,44 +1,39 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The internal force of one peridynamic body: bonds broken first, then dilatation, then forces,
-// with the halo and the mirror images kept up to date. Owns the body's lattice and state. With a
-// zone only the points in and around it exist; those around it are slaved: somebody else
-// (coupling/) sets their motion and collects their forces.
+// One peridynamic body: bonds broken first, then dilatation, then forces, with the halo and the
+// mirror images kept up to date. Owns the body's lattice and state. With a zone only the points in
+// and around it exist; those around it are slaved: somebody else (coupling/) sets their motion and
+// collects their forces.
+//
+// Microelastic brittle solid: Silling and Askari 2005, Computers and Structures 83; linear
+// peridynamic solid: Silling et al. 2007, J. Elasticity 88; its relaxation: bond_viscosity.h.
 #pragma once
 
 #include "ricochet/bodies/body.h"
+#include "ricochet/peridynamics/bond_blocks.h"
+#include "ricochet/peridynamics/bond_damage.h"
+#include "ricochet/peridynamics/bond_tables.h"
 #include "ricochet/peridynamics/bond_viscosity.h"
 #include "ricochet/peridynamics/halo.h"
 #include "ricochet/peridynamics/lattice_state.h"
+#include "ricochet/peridynamics/peridynamic_material.h"
 
 #include <array>
 #include <memory>
 #include <mpi.h>
-#include <optional>
 #include <vector>
 
 namespace ricochet
 {
 class FractureEnergy;
-
-struct PeridynamicMaterial
-{
-  const BondLaw *law;
-  double density;          // [kg/m^3]
-  double bulk_modulus;     // [Pa]
-  double shear_modulus;    // [Pa], the instantaneous one
-  double critical_stretch; // s_c [-]; infinite: never breaks
-  // Of the shear modulus; takes effect by start_relaxation().
-  RelaxationSeries relaxation        = {};
-  HistoryPrecision history_precision = HistoryPrecision::single_precision;
-};
+class StretchedPoints;
 
 class PeridynamicBody : public Body
 {
 public:
   /// Collective. `number` of the body, from 0, keeps the messages of several bodies apart.
   /// `instruction_set` as in lattice_kernel(). The zone, if any, must outlive this object. Throws
-  /// InputError if the processor lacks the instruction set or if the law cannot represent the
-  /// moduli.
+  /// InputError if the processor lacks the instruction set, if the law cannot represent the moduli,
+  /// or as Lattice does.
   PeridynamicBody(MPI_Comm communicator, int number, const Lattice::Box &box,
                   const Stencil &stencil, const PeridynamicMaterial &material,
                   const Lattice::Mask &mask = {}, const char *instruction_set = nullptr,
@@ -67,7 +62,8 @@ public:
   /// last (global): new points and bonds appear, at rest in the reference configuration, and slaved
   /// ones become free. What is broken stays broken.
   void follow_zone(int first, int last);
-  /// Components 11, 22, 33, 23, 13, 12 of a tensor per point, and of a branch each.
+  /// Components 11, 22, 33, 23, 13, 12 of a tensor per point, Lattice::size() numbers each, and of
+  /// a branch each.
   using TensorFields = std::vector<std::array<std::vector<double>, 6>>;
   /// After follow_zone() of a body that relaxes: the histories that bonds which have appeared take
   /// over, see BondViscosity::take_over(), at owned points. Collective.
@@ -106,39 +102,37 @@ public:
   const LatticeState &state() const { return state_; }
   const PeridynamicMaterial &material() const { return material_; }
   const LatticeKernel &kernel() const { return *kernel_; }
-  const std::vector<BondConstants> &bond_constants() const { return constants_; }
-  double point_stiffness() const { return table_.point_stiffness; } // [J]
-  double point_mass() const { return mass_; }                       // [kg]
-  double point_volume() const { return mass_ / material_.density; } // [m^3]
+  /// Per offset.
+  const std::vector<BondConstants> &bond_constants() const { return tables_.breakable_constants(); }
+  double point_stiffness() const { return tables_.breakable().point_stiffness; } // [J]
+  double point_mass() const { return mass_; }                                    // [kg]
+  double point_volume() const { return mass_ / material_.density; }              // [m^3]
 
-  /// What the last break_bonds() broke; a bond with ends on two ranks stands on both.
-  const std::vector<BrokenBonds> &broken() const { return broken_; }
-  std::size_t n_broken_entries() const { return n_broken_; }
-  /// Calls visit(p, q, k) for the bond k from point p to q of each of them.
+  const BondDamage &bond_damage() const { return damage_; }
+  /// What the last break_bonds() broke, see BrokenBondLog::for_each().
   template <class Visitor>
-  void for_each_newly_broken_bond(Visitor &&visit) const;
-
-  /// Bonds of the body; each counted once, over all ranks, a mirrored one half. Collective, slow.
-  double count_bonds() const;
-  /// Bonds broken so far, each once, of both halves of a symmetric body. Collective.
+  void for_each_newly_broken_bond(Visitor &&visit) const
+  {
+    damage_.log().for_each(visit);
+  }
+  /// As BondDamage.
+  std::uint8_t broken_bonds(const std::int64_t block, const std::size_t k) const
+  {
+    return damage_.broken_bonds(block, k);
+  }
+  double damage(const std::ptrdiff_t index) const { return damage_.damage(index); }
+  bool is_damaged(const std::ptrdiff_t index) const { return damage_.is_damaged(index); }
+  /// Bonds of the body, and the same with broken ones; each counted once, over all ranks, a
+  /// mirrored one half. Collective, slow.
+  double count_bonds() const { return damage_.count_intact(communicator_); }
+  double count_sound_bonds() const { return damage_.count_sound(communicator_); }
+  /// Bonds broken and booked so far, each once, of both halves of a symmetric body. Collective.
   double n_broken_bonds() const;
-  /// The same, broken ones included.
-  double count_sound_bonds() const;
 
   /// Owned points with an intact bond stretched beyond `stretch` [-] among the blocks given, each
   /// perhaps several times: a look ahead, nothing breaks.
   std::vector<std::ptrdiff_t> points_stretched(double stretch,
                                                const std::vector<Lattice::BlockRange> &blocks);
-
-  /// Calls visit(p, q, k) for every broken bond k from point p to q, in ascending order.
-  template <class Visitor>
-  void for_each_broken_bond(Visitor &&visit) const;
-  /// Bit l: the bond k of point 8 block + l is broken.
-  std::uint8_t broken_bonds(const std::int64_t block, const std::size_t k) const
-  {
-    const std::size_t at = block * shifts_.size() + k;
-    return initial_bonds_[at] & ~state_.arrays.bonds[at];
-  }
 
   /// The zone's cell of a point of the lattice; images belong to their original's.
   Zone::Cell cell_of(const std::ptrdiff_t index) const
@@ -147,17 +141,9 @@ public:
     return lattice_.zone()->cell_of(c[0], c[1] < 0 ? -1 - c[1] : c[1], c[2]);
   }
 
-  /// Damage of an owned point: share of its family that is broken [-].
-  double damage(std::ptrdiff_t index) const;
-  bool is_damaged(const std::ptrdiff_t index) const { return damaged_[index]; }
-
 private:
-  int family_size(std::ptrdiff_t index, const std::uint8_t *bonds) const;
-  void set_families();
-  void find_bond_ranges();
+  void find_blocks();
   void compute_dilatation(const BondTable &table);
-  void weigh_dilatation();
-  void mark_damaged();
   void add_bond_forces(bool energy);
   void add_relaxing_forces(const ForceRequest &request);
 
@@ -168,49 +154,15 @@ private:
   PeridynamicMaterial material_;
   Halo halo_;
   const LatticeKernel *kernel_;
-  double mass_;
-  std::vector<BondConstants> constants_, unbreakable_constants_;
-  std::vector<int64_t> shifts_;
-  BondTable table_, unbreakable_table_;
+  BondTables tables_;
+  double mass_; // of a point [kg]
+  BondDamage damage_;
+  BondBlocks blocks_;
+  bool has_dilatation_ = false; // of the present positions, by break_bonds()
+  bool in_step_        = false; // a dilatation has been computed since the last end_step()
   std::unique_ptr<BondViscosity> history_;
-  std::vector<std::uint8_t> initial_bonds_;
-  std::vector<std::uint16_t> initial_family_; // bonds of each owned point at the start
-  // Blocks with bonds; those of whole weight alone, and the others.
-  std::vector<Lattice::BlockRange> bond_ranges_, whole_ranges_, weighted_ranges_;
-  std::vector<char> damaged_;
-  std::vector<BrokenBonds> broken_;
-  std::vector<std::uint8_t> new_bonds_;     // that follow_zone() has added
-  std::vector<std::uint8_t> watched_bonds_; // workspace of points_stretched()
-  std::vector<double> watched_theta_;
-  std::size_t n_broken_ = 0;
-  bool has_dilatation_  = false; // of the present positions, by break_bonds()
-  bool in_step_         = false; // a dilatation has been computed since the last end_step()
+  std::vector<std::uint8_t> new_bonds_; // that follow_zone() has added, for continue_history()
   std::unique_ptr<FractureEnergy> fracture_;
+  std::unique_ptr<StretchedPoints> stretched_points_;
 };
-
-template <class Visitor>
-void PeridynamicBody::for_each_newly_broken_bond(Visitor &&visit) const
-{
-  for (std::size_t i = 0; i < n_broken_; ++i)
-    for (int lane = 0; lane < Lattice::block_size; ++lane)
-      if ((broken_[i].points >> lane) & 1)
-      {
-        const std::ptrdiff_t p =
-            static_cast<std::ptrdiff_t>(broken_[i].block) * Lattice::block_size + lane;
-        visit(p, p + shifts_[broken_[i].offset], static_cast<std::size_t>(broken_[i].offset));
-      }
-}
-
-template <class Visitor>
-void PeridynamicBody::for_each_broken_bond(Visitor &&visit) const
-{
-  const std::ptrdiff_t last = lattice_.owned_end() / Lattice::block_size;
-  for (std::ptrdiff_t block = 0; block < last; ++block)
-    for (std::size_t k = 0; k < shifts_.size(); ++k)
-      if (const unsigned int gone = broken_bonds(block, k))
-        for (int lane = 0; lane < Lattice::block_size; ++lane)
-          if ((gone >> lane) & 1)
-            visit(block * Lattice::block_size + lane,
-                  block * Lattice::block_size + lane + shifts_[k], k);
-}
 } // namespace ricochet

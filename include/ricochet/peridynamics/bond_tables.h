@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The constants of a body's bonds, which are the same for all its points: one entry per offset of
+// the stencil, in its order. Linear peridynamic solid: Silling et al. 2007, J. Elasticity 88;
+// microelastic brittle: Silling and Askari 2005, Computers and Structures 83.
+#pragma once
+
+#include "ricochet/kernels/lattice_kernel.h"
+#include "ricochet/peridynamics/lattice.h"
+#include "ricochet/peridynamics/peridynamic_material.h"
+
+#include <vector>
+
+namespace ricochet
+{
+class BondTables
+{
+public:
+  /// Throws InputError if the law cannot represent the moduli.
+  BondTables(const Lattice &lattice, const PeridynamicMaterial &material);
+  // The tables point into the vectors.
+  BondTables(const BondTables &)            = delete;
+  BondTables &operator=(const BondTables &) = delete;
+
+  /// Sums over a full family [m, Pa].
+  const FamilyConstants &family() const { return family_; }
+  /// For kernels: with the limit at which bonds break, and without.
+  const BondTable &breakable() const { return breakable_; }
+  const BondTable &unbreakable() const { return unbreakable_; }
+  /// The same constants, limits s_c |xi| [m] and infinite.
+  const std::vector<BondConstants> &breakable_constants() const { return breakable_constants_; }
+  const std::vector<BondConstants> &unbreakable_constants() const { return unbreakable_constants_; }
+
+private:
+  FamilyConstants family_;
+  std::vector<std::int64_t> shifts_; // of the flat index
+  std::vector<BondConstants> breakable_constants_, unbreakable_constants_;
+  BondTable breakable_, unbreakable_;
+};
+} // namespace ricochet

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a peridynamic body is made of.
+#pragma once
+
+#include "ricochet/materials/bond_laws.h"
+#include "ricochet/materials/relaxation.h"
+
+namespace ricochet
+{
+struct PeridynamicMaterial
+{
+  const BondLaw *law;
+  double density;          // [kg/m^3]
+  double bulk_modulus;     // [Pa]
+  double shear_modulus;    // [Pa], the instantaneous one
+  double critical_stretch; // s_c [-]; infinite: never breaks
+  // Of the shear modulus; takes effect by PeridynamicBody::start_relaxation().
+  RelaxationSeries relaxation        = {};
+  HistoryPrecision history_precision = HistoryPrecision::single_precision;
+};
+} // namespace ricochet

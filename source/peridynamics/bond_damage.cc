@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/peridynamics/bond_damage.h"
+
+#include "plane_exchange.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ricochet
+{
+namespace
+{
+/// Each bond has two ends.
+double half_of_all(double ends, const MPI_Comm communicator)
+{
+  MPI_Allreduce(MPI_IN_PLACE, &ends, 1, MPI_DOUBLE, MPI_SUM, communicator);
+  return ends / 2.;
+}
+} // namespace
+
+BondDamage::BondDamage(const Lattice &lattice, const LatticeState &state,
+                       const LatticeKernel &kernel) :
+  lattice_(lattice),
+  state_(state), shifts_(lattice.shifts()), log_(shifts_)
+{
+  const std::size_t n_blocks = lattice.size() / Lattice::block_size;
+  sound_.assign(state.arrays.bonds, state.arrays.bonds + n_blocks * shifts_.size());
+  damaged_.assign(lattice.size(), 0);
+  log_.make_room(kernel, n_blocks);
+  count_families(lattice);
+}
+
+void BondDamage::mark_damaged()
+{
+  log_.for_each([&](const std::ptrdiff_t p, const std::ptrdiff_t q, std::size_t)
+                { damaged_[p] = damaged_[q] = 1; });
+}
+
+std::vector<std::uint8_t> BondDamage::follow_zone(const int first, const int last,
+                                                  LatticeState &state)
+{
+  // Bonds of the planes below reach up into the changed ones.
+  const std::ptrdiff_t reach = lattice_.stencil().reach;
+  const auto block_of        = [&](const std::ptrdiff_t plane)
+  {
+    return std::clamp<std::ptrdiff_t>((plane - lattice_.first_plane() + reach) *
+                                          lattice_.plane_stride(),
+                                      0, lattice_.owned_end()) /
+           Lattice::block_size;
+  };
+  const std::int64_t from = block_of(first - reach), to = block_of(last);
+  const std::size_t begin = from * shifts_.size(), end = to * shifts_.size();
+  std::vector<std::uint8_t> appeared(sound_.size(), 0);
+  std::copy(sound_.begin() + begin, sound_.begin() + end, appeared.begin() + begin);
+  lattice_.set_intact_bonds(from, to, sound_.data());
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    appeared[i] = sound_[i] & ~appeared[i];
+    state.arrays.bonds[i] |= appeared[i];
+  }
+  count_families(lattice_);
+  return appeared;
+}
+
+void BondDamage::redistribute(const PlaneExchange &planes, const Lattice &share,
+                              std::vector<std::uint8_t> sound, const LatticeKernel &kernel)
+{
+  planes.move(damaged_);
+  sound_ = std::move(sound);
+  log_.make_room(kernel, share.size() / Lattice::block_size);
+  log_.clear();
+  count_families(share);
+}
+
+void BondDamage::count_families(const Lattice &lattice)
+{
+  sound_family_.assign(lattice.size(), 0);
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      { sound_family_[p] = static_cast<std::uint16_t>(family_size(p, sound_.data())); });
+}
+
+int BondDamage::family_size(const std::ptrdiff_t index, const std::uint8_t *bonds) const
+{
+  const auto bond = [&](const std::ptrdiff_t p, const std::size_t k)
+  {
+    return (bonds[(p / Lattice::block_size) * shifts_.size() + k] >> (p % Lattice::block_size)) & 1;
+  };
+  int n = 0;
+  for (std::size_t k = 0; k < shifts_.size(); ++k)
+    n += bond(index, k) + (index >= shifts_[k] ? bond(index - shifts_[k], k) : 0);
+  return n;
+}
+
+double BondDamage::damage(const std::ptrdiff_t index) const
+{
+  if (sound_family_[index] == 0 || !damaged_[index])
+    return 0.;
+  return 1. - double(family_size(index, state_.arrays.bonds)) / sound_family_[index];
+}
+
+double BondDamage::count_intact(const MPI_Comm communicator) const
+{
+  double ends = 0.;
+  lattice_.for_each_owned([&](const std::ptrdiff_t p)
+                          { ends += family_size(p, state_.arrays.bonds); });
+  return half_of_all(ends, communicator);
+}
+
+double BondDamage::count_sound(const MPI_Comm communicator) const
+{
+  double ends = 0.;
+  lattice_.for_each_owned([&](const std::ptrdiff_t p) { ends += sound_family_[p]; });
+  return half_of_all(ends, communicator);
+}
+} // namespace ricochet
