@@ -51,12 +51,7 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"geometry/faceted_surface", "geometry/test_hex_solid"},
     {"geometry/revolved_hexes", "geometry/test_hex_solid"},
     {"output/section_writer", "output/test_field_writer"},
-    {"peridynamics/halo", "peridynamics/test_redistribution"},
-    {"peridynamics/lattice_state", "peridynamics/test_redistribution"},
-    {"peridynamics/peridynamic_body", "verification/test_waves"},
     {"peridynamics/peridynamic_vibration", "dynamics/test_largest_frequency"},
-    {"peridynamics/plane_exchange", "peridynamics/test_redistribution"},
-    {"peridynamics/stencil", "peridynamics/test_lattice"},
     // All three models of the projectile, in whole impacts.
     {"projectiles/deformable_projectile", "projectiles/test_finite_element_projectile"},
     {"projectiles/peridynamic_projectile", "projectiles/test_finite_element_projectile"},

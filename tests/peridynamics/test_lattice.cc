@@ -10,44 +10,6 @@ namespace ricochet::tests
 {
 namespace
 {
-TEST(Stencil, HoldsHalfOfAllOffsetsWithinTheHorizonOnce)
-{
-  for (const double ratio : {1., 1.5, 2., 3., 3.01, 4.5})
-  {
-    const auto stencil = make_stencil(0.5, ratio, InfluenceFunction::constant);
-    std::set<std::array<int, 3>> both;
-    int expected = 0, reach = 0;
-    for (const auto &o : stencil.offsets)
-    {
-      EXPECT_TRUE(both.insert({o.x, o.y, o.z}).second);
-      EXPECT_TRUE(both.insert({-o.x, -o.y, -o.z}).second);
-      EXPECT_DOUBLE_EQ(o.length, 0.5 * std::sqrt(o.x * o.x + o.y * o.y + o.z * o.z));
-      EXPECT_EQ(o.omega, 1.);
-      reach = std::max({reach, std::abs(o.x), std::abs(o.y), std::abs(o.z)});
-    }
-    const int n = 5;
-    for (int x = -n; x <= n; ++x)
-      for (int y = -n; y <= n; ++y)
-        for (int z = -n; z <= n; ++z)
-          expected += (x || y || z) && x * x + y * y + z * z <= ratio * ratio + 1e-9;
-    EXPECT_EQ(static_cast<int>(both.size()), expected) << ratio;
-    EXPECT_EQ(stencil.reach, reach);
-  }
-}
-
-TEST(Stencil, BondsWithoutWeightAreLeftOut)
-{
-  // The cone vanishes at the horizon: 92 bonds of 122.
-  EXPECT_EQ(make_stencil(1., 3., InfluenceFunction::cone).offsets.size(), 46u);
-  EXPECT_EQ(make_stencil(1., 3., InfluenceFunction::constant).offsets.size(), 61u);
-}
-
-TEST(Stencil, HorizonRatioOutsideItsRangeIsRefused)
-{
-  for (const double ratio : {0.5, 9., std::nan("")})
-    EXPECT_THROW(make_stencil(1., ratio, InfluenceFunction::cone), InputError);
-}
-
 Lattice lattice(const int rank, const int n_ranks, const bool mirrored = false)
 {
   return Lattice({Vector3::Zero(), 1e-3, {13, 7, 5}, mirrored},
@@ -148,21 +110,6 @@ TEST(Lattice, MirroredHalfHasHalfTheBonds)
   half.mirror_y = true;
   full.n        = {7, 10, 7};
   EXPECT_EQ(make_body(half)->count_bonds(), 0.5 * make_body(full)->count_bonds());
-}
-
-TEST(PeridynamicBody, LawThatFixesPoissonsRatioRefusesOtherModuli)
-{
-  BodySample sample;
-  sample.family.law = bond_law_samples[1];
-  sample.family.law.shear_modulus *= 1.1;
-  EXPECT_THROW(make_body(sample), InputError);
-}
-
-TEST(PeridynamicBody, MissingInstructionSetIsRefused)
-{
-  BodySample sample;
-  sample.instruction_set = "abacus";
-  EXPECT_THROW(make_body(sample), InputError);
 }
 } // namespace
 } // namespace ricochet::tests

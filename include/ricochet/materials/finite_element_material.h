@@ -11,7 +11,7 @@ struct FiniteElementMaterial
   double density;       // [kg/m^3]
   double bulk_modulus;  // [Pa]
   double shear_modulus; // [Pa], the instantaneous one
-  // Of the shear modulus; takes effect by FiniteElementBody::start_relaxation().
+  /// Of the shear modulus; takes effect by FiniteElementBody::start_relaxation().
   RelaxationSeries relaxation = {};
 };
 } // namespace ricochet

@@ -11,7 +11,9 @@ namespace ricochet
 {
 struct BondBlocks
 {
+  /// Of all points, in ranges of blocks.
   std::vector<Lattice::BlockRange> all;
+  /// Those whose bonds all count in full, and the others.
   std::vector<Lattice::BlockRange> whole, weighted; // together all; every block is in one of them
 };
 

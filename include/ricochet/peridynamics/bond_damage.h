@@ -24,6 +24,7 @@ public:
 
   /// What broke in the last step; whoever breaks bonds keeps it.
   BrokenBondLog &log() { return log_; }
+  /// What the last step has broken.
   const BrokenBondLog &log() const { return log_; }
   /// The ends of what is in the log are damaged from now on.
   void mark_damaged();
@@ -59,6 +60,7 @@ public:
   /// Bonds that are left, and those there would be without damage; each once, over all ranks, a
   /// mirrored one half. Collective, slow.
   double count_intact(MPI_Comm communicator) const;
+  /// All bonds that there have been, each once, over all ranks. Collective.
   double count_sound(MPI_Comm communicator) const;
 
 private:

@@ -19,11 +19,13 @@ public:
   BondHistory(std::ptrdiff_t n_points, std::size_t n_offsets, std::size_t n_branches,
               HistoryPrecision precision);
 
+  /// The history of one bond in one branch.
   double read(const std::ptrdiff_t point, const std::size_t offset, const std::size_t branch) const
   {
     const std::size_t at = entry(point, offset, branch);
     return single_.empty() ? double_[at] : single_[at];
   }
+  /// Sets it, rounded to the precision that is kept.
   void write(const std::ptrdiff_t point, const std::size_t offset, const std::size_t branch,
              const double value)
   {
@@ -36,7 +38,9 @@ public:
 
   /// All of it, or null if it is kept in the other precision.
   float *singles() { return single_.empty() ? nullptr : single_.data(); }
+  /// Null if single precision is kept.
   double *doubles() { return double_.empty() ? nullptr : double_.data(); }
+  /// 4 or 8.
   std::size_t bytes_per_bond_and_branch() const
   {
     return single_.empty() ? sizeof(double) : sizeof(float);

@@ -25,9 +25,11 @@ public:
   const FamilyConstants &family() const { return family_; }
   /// For kernels: with the limit at which bonds break, and without.
   const BondTable &breakable() const { return breakable_; }
+  /// The same without limits: nothing breaks.
   const BondTable &unbreakable() const { return unbreakable_; }
   /// The same constants, limits s_c |xi| [m] and infinite.
   const std::vector<BondConstants> &breakable_constants() const { return breakable_constants_; }
+  /// Per offset of the stencil.
   const std::vector<BondConstants> &unbreakable_constants() const { return unbreakable_constants_; }
 
 private:

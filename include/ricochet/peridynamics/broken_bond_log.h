@@ -24,7 +24,9 @@ public:
   }
   std::size_t capacity() const { return entries_.size(); } // [entries]
   std::size_t size() const { return size_; }               // [entries]
+  /// Whether nothing has broken.
   bool empty() const { return size_ == 0; }
+  /// Forgets what has broken.
   void clear() { size_ = 0; }
 
   /// Lets the kernel break what is stretched beyond its limit in these blocks, and writes it down

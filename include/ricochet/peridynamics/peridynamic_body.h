@@ -56,6 +56,7 @@ public:
   bool relaxes() const override { return history_ != nullptr; }
   /// Null if the body is elastic.
   const BondViscosity *history() const { return history_.get(); }
+  /// The same, to be set from outside.
   BondViscosity *history() { return history_.get(); }
 
   /// After the zone has grown by cells whose layers have changed between the planes first <= x <
@@ -95,12 +96,18 @@ public:
 
   std::unique_ptr<Vibration> vibration() override;
   std::string first_not_finite() const override;
+  /// Of the ranks that share the points.
   MPI_Comm communicator() const { return communicator_; }
 
+  /// Where the points are.
   const Lattice &lattice() const { return lattice_; }
+  /// All that moves.
   LatticeState &state() { return state_; }
+  /// Likewise.
   const LatticeState &state() const { return state_; }
+  /// As it was given.
   const PeridynamicMaterial &material() const { return material_; }
+  /// Of this processor.
   const LatticeKernel &kernel() const { return *kernel_; }
   /// Per offset.
   const std::vector<BondConstants> &bond_constants() const { return tables_.breakable_constants(); }
@@ -108,6 +115,7 @@ public:
   double point_mass() const { return mass_; }                                    // [kg]
   double point_volume() const { return mass_ / material_.density; }              // [m^3]
 
+  /// Which bonds there were and which have broken.
   const BondDamage &bond_damage() const { return damage_; }
   /// What the last break_bonds() broke, see BrokenBondLog::for_each().
   template <class Visitor>
@@ -120,11 +128,14 @@ public:
   {
     return damage_.broken_bonds(block, k);
   }
+  /// Of an owned point: share of its family that is broken [-].
   double damage(const std::ptrdiff_t index) const { return damage_.damage(index); }
+  /// Whether a bond of it has broken.
   bool is_damaged(const std::ptrdiff_t index) const { return damage_.is_damaged(index); }
   /// Bonds of the body, and the same with broken ones; each counted once, over all ranks, a
   /// mirrored one half. Collective, slow.
   double count_bonds() const { return damage_.count_intact(communicator_); }
+  /// Broken ones included.
   double count_sound_bonds() const { return damage_.count_sound(communicator_); }
   /// Bonds broken and booked so far, each once, of both halves of a symmetric body. Collective.
   double n_broken_bonds() const;

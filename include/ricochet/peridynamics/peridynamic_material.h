@@ -9,13 +9,15 @@ namespace ricochet
 {
 struct PeridynamicMaterial
 {
+  /// How a bond pulls.
   const BondLaw *law;
   double density;          // [kg/m^3]
   double bulk_modulus;     // [Pa]
   double shear_modulus;    // [Pa], the instantaneous one
   double critical_stretch; // s_c [-]; infinite: never breaks
-  // Of the shear modulus; takes effect by PeridynamicBody::start_relaxation().
+  /// Of the shear modulus; takes effect by PeridynamicBody::start_relaxation().
   RelaxationSeries relaxation        = {};
+  /// In which histories are kept.
   HistoryPrecision history_precision = HistoryPrecision::single_precision;
 };
 } // namespace ricochet
