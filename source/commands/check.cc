@@ -48,7 +48,7 @@ void print_relaxation(const Simulation &simulation, const std::size_t plate)
                 branch.share * material.shear_modulus / GPa, in_time_units(branch.time).c_str());
     if (acts_as_elastic(branch, duration))
       std::printf("acts as elastic, a run of %s is less than 1/%.0f of that\n",
-                  in_time_units(duration).c_str(), slowness);
+                  in_time_units(duration).c_str(), slowest_relaxation);
     else
       std::printf("%.2g of it left after %s\n", std::exp(-duration / branch.time),
                   in_time_units(duration).c_str());

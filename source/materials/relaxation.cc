@@ -39,7 +39,7 @@ double relaxed_share(const RelaxationSeries &series, const double t)
 
 bool acts_as_elastic(const MaxwellBranch &branch, const double duration)
 {
-  return branch.time > slowness * duration;
+  return branch.time > slowest_relaxation * duration;
 }
 
 RelaxationSeries relaxing_within(const RelaxationSeries &series, const double duration)

@@ -72,7 +72,7 @@ TEST(Relaxation, SlowBranchesActAsElastic)
   EXPECT_EQ(relaxing[0].share, 0.541);
   EXPECT_EQ(relaxing_within(series, 0.1).size(), 2U);
   // What is neglected: less than a thousandth of the branch.
-  EXPECT_GT(std::exp(-600e-6 / 15.3), 1. - 1. / slowness);
+  EXPECT_GT(std::exp(-600e-6 / 15.3), 1. - 1. / slowest_relaxation);
 }
 
 TEST(Relaxation, ImpossibleSeriesAreRefused)

@@ -42,9 +42,9 @@ inline double next_history(const MaxwellStep &step, const double e, const double
 /// mu(t) / mu [-]; t infinite: the equilibrium share.
 double relaxed_share(const RelaxationSeries &series, double t);
 
-/// A branch with theta_k above `slowness` times the duration of the run acts as elastic: it loses
-/// less than 1/slowness of its stress meanwhile.
-constexpr double slowness = 1000.;
+/// A branch with theta_k above `slowest_relaxation` times the duration of the run acts as elastic:
+/// it loses less than 1/slowest_relaxation of its stress meanwhile.
+constexpr double slowest_relaxation = 1000.;
 /// Whether it does, in a run of this duration [s].
 bool acts_as_elastic(const MaxwellBranch &branch, double duration);
 
