@@ -28,6 +28,7 @@ int start_processes(const int n, const int argc, char **argv)
                                  error ? argv[0] : program.string()};
   words.insert(words.end(), argv + 1, argv + argc);
   std::vector<char *> command;
+  command.reserve(words.size() + 1);
   for (auto &word : words)
     command.push_back(word.data());
   command.push_back(nullptr);

@@ -78,7 +78,8 @@ std::map<int, double> nodes_followed(const CellFinder &finder, const Vector3 &ce
     std::vector<int> cells;
     for (int part = 0; part < n * n * n; ++part)
     {
-      const Vector3 place(part % n, part / n % n, part / n / n);
+      const std::array<int, 3> along{part % n, part / n % n, part / (n * n)};
+      const Vector3 place(along[0], along[1], along[2]);
       const Vector3 offset = (place.array() + 0.5) / n - 0.5;
       const auto [cell, N] = finder.find(centre + size * edge * offset);
       if (cell < 0)
@@ -115,7 +116,7 @@ Eigen::VectorXd least_squares(const Matrix &A, const Eigen::VectorXd &b,
   if (limits.most_iterations > 0)
     solver.setMaxIterations(limits.most_iterations);
   solver.compute(A);
-  const Eigen::VectorXd x = solver.solveWithGuess(b, Eigen::VectorXd::Ones(A.cols()));
+  Eigen::VectorXd x = solver.solveWithGuess(b, Eigen::VectorXd::Ones(A.cols()));
   if (solver.info() != Eigen::Success || !x.allFinite())
   {
     std::ostringstream message;

@@ -26,10 +26,10 @@ std::string last_line(std::string text)
 /// matplotlib.
 ProgramResult run_python(const std::vector<std::string> &arguments)
 {
-  const ProgramResult debian = run_program("/usr/bin/python3", arguments);
+  ProgramResult debian = run_program("/usr/bin/python3", arguments);
   if (debian.status != -1 && debian.status != missing_module)
     return debian;
-  const ProgramResult other = run_program("python3", arguments);
+  ProgramResult other = run_program("python3", arguments);
   return other.status != -1 ? other : debian;
 }
 
