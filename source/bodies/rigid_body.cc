@@ -23,17 +23,26 @@ RigidBody::RigidBody(const BodyOfRevolution &body, const double mass, const Moti
   body_(body),
   mass_(mass), planar_(planar), motion_(start)
 {
-  const auto gyration   = body.gyration_squared();
-  const Vector3 inertia = mass * Vector3(gyration[0], gyration[1], gyration[1]);
   const Vector3 in_body = start.orientation.conjugate() * start.spin;
-  angular_momentum_     = start.orientation * inertia.cwiseProduct(in_body);
+  angular_momentum_     = start.orientation * inertia().cwiseProduct(in_body);
 }
 
-Vector3 RigidBody::spin_from_momentum(const Eigen::Quaterniond &orientation) const
+Vector3 RigidBody::inertia() const
 {
-  const auto gyration   = body_.gyration_squared();
-  const Vector3 inertia = mass_ * Vector3(gyration[0], gyration[1], gyration[1]);
-  return orientation * (orientation.conjugate() * angular_momentum_).cwiseQuotient(inertia);
+  const auto gyration = body_.gyration_squared();
+  return mass_ * Vector3(gyration[0], gyration[1], gyration[1]);
+}
+
+Vector3 RigidBody::spin_from_momentum(const Eigen::Quaterniond &orientation,
+                                      const Vector3 &angular_momentum) const
+{
+  return orientation * (orientation.conjugate() * angular_momentum).cwiseQuotient(inertia());
+}
+
+void RigidBody::restrict(Vector3 &linear, Vector3 &angular) const
+{
+  if (planar_)
+    linear.y() = angular.x() = angular.z() = 0.;
 }
 
 void RigidBody::advance(const Vector3 &force, const Vector3 &moment, const double kick,
@@ -41,21 +50,36 @@ void RigidBody::advance(const Vector3 &force, const Vector3 &moment, const doubl
 {
   motion_.velocity += kick / mass_ * force;
   angular_momentum_ += kick * moment;
-  if (planar_)
-  {
-    motion_.velocity.y()  = 0.;
-    angular_momentum_.x() = angular_momentum_.z() = 0.;
-  }
+  restrict(motion_.velocity, angular_momentum_);
   const Eigen::Quaterniond half =
-      rotation(drift / 2. * spin_from_momentum(motion_.orientation)) * motion_.orientation;
-  motion_.spin = spin_from_momentum(half);
+      rotation(drift / 2. * spin_from_momentum(motion_.orientation, angular_momentum_)) *
+      motion_.orientation;
+  motion_.spin = spin_from_momentum(half, angular_momentum_);
   motion_.position += drift * motion_.velocity;
   motion_.orientation = (rotation(drift * motion_.spin) * motion_.orientation).normalized();
 }
 
-double RigidBody::pitch() const
+RigidBody::Motion RigidBody::present_motion(const Vector3 &force, const Vector3 &moment,
+                                            const double kick) const
 {
-  return std::asin(std::clamp(axis().z(), -1., 1.));
+  Motion present           = motion_;
+  Vector3 angular_momentum = angular_momentum_ + kick / 2. * moment;
+  present.velocity += kick / 2. / mass_ * force;
+  restrict(present.velocity, angular_momentum);
+  present.spin = spin_from_momentum(motion_.orientation, angular_momentum);
+  return present;
+}
+
+Matrix6 RigidBody::root_of_mobility() const
+{
+  Matrix6 root               = Matrix6::Zero();
+  root.topLeftCorner<3, 3>() = Eigen::Matrix3d::Identity() / std::sqrt(mass_);
+  root.bottomRightCorner<3, 3>() =
+      motion_.orientation.toRotationMatrix() * inertia().cwiseSqrt().cwiseInverse().asDiagonal();
+  if (planar_)
+    for (const int held : {1, 3, 5})
+      root.row(held).setZero();
+  return root;
 }
 
 BodyOfRevolution::Hit RigidBody::hit(const Vector3 &point) const

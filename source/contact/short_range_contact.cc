@@ -177,8 +177,10 @@ void ShortRangeContact::add_pair_forces(const ActiveContact &contact, const doub
   if (friction_.law)
   {
     const Vector3 sliding = sliding_velocity(contact.velocity, Vector3(contact.apart / r));
-    const double mu       = friction_.factor * friction_.law->coefficient(sliding.norm());
-    friction              = pair_law.bounded_friction(sliding, mu, normal, contact.mass, dt);
+    const double speed    = sliding.norm();
+    const double full     = friction_.factor * friction_.law->coefficient(speed) * normal;
+    // All contacts of a point together stop it in one step at the most, one alone takes some.
+    friction = -pair_law.resistance(speed, full, contacts_of_a_point / contact.mass, dt) * sliding;
     force += friction;
   }
   for (const auto &[end, sign] : {std::pair<const End &, double>{contact.first, -1.},

@@ -2,13 +2,13 @@
 #include "ricochet/contact/surface_contact.h"
 
 #include "field_values.h"
+#include "ricochet/base/mpi_tools.h"
 #include "surface_tangents.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace ricochet
 {
@@ -33,6 +33,35 @@ Eigen::Vector2d sliding_velocity_on(const SurfaceTangents &tangents, const Surfa
   return sliding;
 }
 
+Vector3 mirrored(const Vector3 &v)
+{
+  return {v.x(), -v.y(), v.z()};
+}
+
+const SurfaceQuad &quad_of(const double face, const FacetedSurface &surface)
+{
+  return surface.faces()[static_cast<std::size_t>(face)];
+}
+
+/// Adds a load to the nodes of its face.
+void add_to_nodes(const double (&load)[12], const SurfaceQuad &quad, std::vector<double> &values)
+{
+  for (int node = 0; node < 4; ++node)
+    for (int d = 0; d < 3; ++d)
+      values[3 * quad[node] + d] += load[3 * node + d];
+}
+
+/// Moment of a load about `centre` [N m].
+Vector3 moment_of(const double (&load)[12], const SurfaceQuad &quad, const SurfaceNodes &body,
+                  const Vector3 &centre)
+{
+  Vector3 moment = Vector3::Zero();
+  for (int node = 0; node < 4; ++node)
+    moment += Vector3(of_node(body.position, quad[node]) - centre)
+                  .cross(Eigen::Map<const Vector3>(load + 3 * node));
+  return moment;
+}
+
 /// Adds the half behind the symmetry plane.
 void add_mirrored_half(ContactRecord &record)
 {
@@ -54,28 +83,37 @@ SurfaceContact::SurfaceContact(const MPI_Comm communicator, const FrictionLaw &l
 {
 }
 
-ContactRecord SurfaceContact::add_forces(const SurfaceNodes &body, const FacetedSurface &surface,
-                                         const Vector3 &centre, PeridynamicBody &plate)
+double SurfaceContact::add_normal_forces(const SurfaceNodes &body, const FacetedSurface &surface,
+                                         PeridynamicBody &plate)
 {
-  find_loads(body, surface, plate);
-  const auto all = gather();
+  find_touching(surface, plate);
+  std::vector<NormalLoad> loads;
+  for (const auto &touching : touching_)
+    loads.push_back(press(touching, surface, plate));
+  normal_loads_ = gather_on_every_rank(communicator_, loads);
   std::array<double, 2> largest{deepest_, on_elements_};
   MPI_Allreduce(MPI_IN_PLACE, largest.data(), 2, MPI_DOUBLE, MPI_MAX, communicator_);
+  deepest_     = largest[0];
+  on_elements_ = largest[1];
+  spacing_     = plate.lattice().box().spacing;
 
-  ContactRecord record;
-  record.deepest             = largest[0];
-  record.deepest_in_spacings = largest[0] / plate.lattice().box().spacing;
-  record.on_elements         = largest[1] > 0.;
-  friction_.assign(body.force.size(), 0.);
-  for (const auto &load : all)
-    apply(load, surface, centre, body, record);
-  if (multiplicity_ == 2.)
-    add_mirrored_half(record);
-  return record;
+  std::vector<double> shares(body.mobility.size(), 0.); // of the touches at each node
+  for (const auto &load : normal_loads_)
+  {
+    const auto &quad = quad_of(load.face, surface);
+    add_to_nodes(load.on_nodes, quad, body.force);
+    for (int node = 0; node < 4; ++node)
+    {
+      // The other half touches a node on the mirror plane as often.
+      const bool halved =
+          multiplicity_ == 2. && std::abs(surface.node(quad[node]).y()) < 1e-6 * spacing_;
+      shares[quad[node]] += (halved ? 2. : 1.) * load.reach[node];
+    }
+  }
+  return shares.empty() ? 0. : *std::max_element(shares.begin(), shares.end());
 }
 
-void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &surface,
-                                PeridynamicBody &plate)
+void SurfaceContact::find_touching(const FacetedSurface &surface, const PeridynamicBody &plate)
 {
   const Lattice &lattice = plate.lattice();
   const auto &a          = plate.state().arrays;
@@ -84,13 +122,12 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
   Vector3 first = low - Vector3::Constant(radius), last = high + Vector3::Constant(radius);
   // A point that has crossed the symmetry plane touches the other half as its image touches this
   // one.
-  const bool mirrored = multiplicity_ == 2.;
-  if (mirrored)
+  const bool symmetric = multiplicity_ == 2.;
+  if (symmetric)
     first.y() = -last.y();
   const std::vector<std::ptrdiff_t> were_deep = std::move(deep_); // ascending
   deep_.clear();
-  loads_.clear();
-  work_.clear();
+  touching_.clear();
   deepest_ = on_elements_ = 0.;
   lattice.for_each_owned(
       [&](const std::ptrdiff_t p)
@@ -98,10 +135,9 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
         if (is_outside(a.position, p, first, last))
           return;
         Vector3 x = at(a.position, p);
-        Touching touching{p, mirrored && x.y() < 0., at(a.velocity, p), {}, 0.};
+        Touching touching{p, symmetric && x.y() < 0., {}, 0.};
         if (touching.crossed)
-          for (Vector3 *v : {&x, &touching.velocity})
-            v->y() = -v->y();
+          x = mirrored(x);
         if (!surface.hit(x, touching.hit))
         {
           if (!std::binary_search(were_deep.begin(), were_deep.end(), p))
@@ -113,98 +149,133 @@ void SurfaceContact::find_loads(const SurfaceNodes &body, const FacetedSurface &
           return;
         if (touching.depth > radius) // its centre is inside
           deep_.push_back(p);
-        add_point_load(touching, body, surface, plate);
+        touching_.push_back(touching);
+        deepest_ = std::max(deepest_, touching.depth);
+        if (!lattice.free(p))
+          on_elements_ = 1.;
       });
 }
 
-/// Adds the forces on a point and lists those on the face.
-void SurfaceContact::add_point_load(const Touching &touching, const SurfaceNodes &body,
-                                    const FacetedSurface &surface, PeridynamicBody &plate)
+/// A point's normal force.
+SurfaceContact::NormalLoad SurfaceContact::press(const Touching &touching,
+                                                 const FacetedSurface &surface,
+                                                 PeridynamicBody &plate)
 {
-  auto &a                                        = plate.state().arrays;
-  const auto &[p, crossed, velocity, hit, depth] = touching;
+  const auto &[p, crossed, hit, depth] = touching;
   const SurfaceTangents tangents(surface, hit);
-  const Eigen::Vector2d sliding =
-      sliding_velocity_on(tangents, surface.faces()[hit.face], velocity, body);
-  const double speed              = sliding.norm();
-  const double mu                 = law_.coefficient(speed);
-  const double normal             = pair_law_.normal_force(depth);
-  const double coulomb            = pair_law_.friction_limit(mu, normal);
-  const double shank              = is_shank_[hit.face] ? pair_law_.shank_limit(mu) : 0.;
-  const Eigen::Vector2d direction = pair_law_.direction(sliding, speed);
-  const Eigen::Vector2d on_point  = (coulomb + shank) * direction; // along the tangents [N]
-
-  const auto in_space = [&](const Eigen::Vector2d &f) -> Vector3
-  { return f[0] * tangents.direction[0] + f[1] * tangents.direction[1]; };
-  Vector3 friction = in_space(on_point), total = normal * hit.normal + friction;
-  if (crossed)
-    for (Vector3 *v : {&friction, &total})
-      v->y() = -v->y();
+  const Vector3 force = pair_law_.normal_force(depth) * hit.normal;
+  auto &a             = plate.state().arrays;
   for (int d = 0; d < 3; ++d)
-    a.force[d][p] += total[d];
-  work_.add(plate, p, friction);
-
-  Load load;
-  load.face                      = hit.face;
-  load.energy                    = pair_law_.energy(depth);
-  const Vector3 coulomb_in_space = in_space(coulomb * direction),
-                shank_in_space   = in_space(shank * direction);
-  for (int d = 0; d < 3; ++d)
-  {
-    load.coulomb[d] = -coulomb_in_space[d];
-    load.shank[d]   = -shank_in_space[d];
-    for (int node = 0; node < 4; ++node)
-    {
-      load.normal[3 * node + d] = -hit.weights[node] * normal * hit.normal[d];
-      load.friction[3 * node + d] =
-          -on_point[0] * tangents.on_node[0][node][d] - on_point[1] * tangents.on_node[1][node][d];
-    }
-  }
-  loads_.push_back(load);
-  deepest_ = std::max(deepest_, depth);
-  if (!plate.lattice().free(p))
-    on_elements_ = 1.;
-}
-
-std::vector<SurfaceContact::Load> SurfaceContact::gather() const
-{
-  int n_ranks;
-  MPI_Comm_size(communicator_, &n_ranks);
-  if (n_ranks == 1)
-    return loads_;
-  constexpr int size = sizeof(Load) / sizeof(double);
-  std::vector<int> counts(n_ranks), starts(n_ranks, 0);
-  const int n = size * static_cast<int>(loads_.size());
-  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator_);
-  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-  std::vector<Load> all((starts.back() + counts.back()) / size);
-  MPI_Allgatherv(loads_.data(), n, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
-                 communicator_);
-  return all;
-}
-
-/// Adds a load to the body's nodes and to the record.
-void SurfaceContact::apply(const Load &load, const FacetedSurface &surface, const Vector3 &centre,
-                           const SurfaceNodes &body, ContactRecord &record)
-{
-  const auto &quad = surface.faces()[static_cast<std::size_t>(load.face)];
+    a.force[d][p] += crossed ? mirrored(force)[d] : force[d];
+  NormalLoad load;
+  load.face   = hit.face;
+  load.energy = pair_law_.energy(depth);
   for (int node = 0; node < 4; ++node)
   {
-    const Eigen::Map<const Vector3> normal(load.normal + 3 * node),
-        friction(load.friction + 3 * node);
-    const Vector3 arm = of_node(body.position, quad[node]) - centre;
-    record.normal += normal;
-    record.moment += arm.cross(normal + friction);
-    record.friction_moment += arm.cross(friction);
+    load.reach[node] = tangents.reach(node);
     for (int d = 0; d < 3; ++d)
-    {
-      body.force[3 * quad[node] + d] += normal[d] + friction[d];
-      friction_[3 * quad[node] + d] += friction[d];
-    }
+      load.on_nodes[3 * node + d] = -hit.weights[node] * force[d];
   }
-  record.friction += Eigen::Map<const Vector3>(load.coulomb);
-  record.shank += Eigen::Map<const Vector3>(load.shank);
-  record.energy += load.energy;
-  record.n_touching += 1.;
+  return load;
+}
+
+ContactRecord SurfaceContact::add_friction(const SurfaceNodes &body, const double shares,
+                                           const FacetedSurface &surface, const Vector3 &centre,
+                                           PeridynamicBody &plate, const double dt)
+{
+  work_.clear();
+  std::vector<FrictionLoad> loads;
+  for (const auto &touching : touching_)
+    loads.push_back(rub(touching, body, shares, surface, plate, dt));
+  friction_loads_ = gather_on_every_rank(communicator_, loads);
+  friction_.assign(body.force.size(), 0.);
+  for (const auto &load : friction_loads_)
+    add_to_nodes(load.on_nodes, quad_of(load.face, surface), friction_);
+  for (std::size_t i = 0; i < friction_.size(); ++i)
+    body.force[i] += friction_[i];
+  return record(body, surface, centre);
+}
+
+/// A point's friction.
+SurfaceContact::FrictionLoad SurfaceContact::rub(const Touching &touching, const SurfaceNodes &body,
+                                                 const double shares, const FacetedSurface &surface,
+                                                 PeridynamicBody &plate, const double dt)
+{
+  const auto &[p, crossed, hit, depth] = touching;
+  auto &a                              = plate.state().arrays;
+  const auto &quad                     = surface.faces()[hit.face];
+  const SurfaceTangents tangents(surface, hit);
+  // What follows elements gets more than its own forces: its velocity is taken as it is.
+  const double half_kick = plate.lattice().free(p) ? dt / (2. * plate.point_mass()) : 0.;
+  Vector3 velocity       = at(a.velocity, p) + half_kick * at(a.force, p);
+  if (crossed)
+    velocity = mirrored(velocity);
+  const Eigen::Vector2d sliding = sliding_velocity_on(tangents, quad, velocity, body);
+  double compliance             = 1. / plate.point_mass();
+  for (int node = 0; node < 4; ++node)
+    compliance += shares * tangents.reach(node) * body.mobility[quad[node]];
+
+  const double speed      = sliding.norm();
+  const double mu         = law_.coefficient(speed);
+  const double normal     = pair_law_.normal_force(depth);
+  const double shank_push = is_shank_[hit.face] ? pair_law_.shank_push(normal) : 0.;
+  const double push       = normal + shank_push;
+  // Along the tangents [N].
+  const Eigen::Vector2d on_point =
+      -pair_law_.resistance(speed, mu * push, compliance, dt) * sliding;
+  const Vector3 in_space =
+      on_point[0] * tangents.direction[0] + on_point[1] * tangents.direction[1];
+  const Vector3 force = crossed ? mirrored(in_space) : in_space;
+  for (int d = 0; d < 3; ++d)
+    a.force[d][p] += force[d];
+  work_.add(plate, p, force);
+
+  FrictionLoad load;
+  load.face = hit.face;
+  for (int d = 0; d < 3; ++d)
+  {
+    load.coulomb[d] = -normal / push * in_space[d];
+    load.shank[d]   = -shank_push / push * in_space[d];
+    for (int node = 0; node < 4; ++node)
+      load.on_nodes[3 * node + d] =
+          -on_point[0] * tangents.on_node[0][node][d] - on_point[1] * tangents.on_node[1][node][d];
+  }
+  return load;
+}
+
+/// Of all that has been added.
+ContactRecord SurfaceContact::record(const SurfaceNodes &body, const FacetedSurface &surface,
+                                     const Vector3 &centre) const
+{
+  ContactRecord record;
+  record.deepest             = deepest_;
+  record.deepest_in_spacings = deepest_ / spacing_;
+  record.on_elements         = on_elements_ > 0.;
+  for (const auto &load : normal_loads_)
+  {
+    for (int node = 0; node < 4; ++node)
+      record.normal += Eigen::Map<const Vector3>(load.on_nodes + 3 * node);
+    record.moment += moment_of(load.on_nodes, quad_of(load.face, surface), body, centre);
+    record.energy += load.energy;
+    record.n_touching += 1.;
+  }
+  for (const auto &load : friction_loads_)
+  {
+    record.friction += Eigen::Map<const Vector3>(load.coulomb);
+    record.shank += Eigen::Map<const Vector3>(load.shank);
+    record.friction_moment += moment_of(load.on_nodes, quad_of(load.face, surface), body, centre);
+  }
+  record.moment += record.friction_moment;
+  if (multiplicity_ == 2.)
+    add_mirrored_half(record);
+  return record;
+}
+
+ContactRecord SurfaceContact::add_forces(const SurfaceNodes &body, const FacetedSurface &surface,
+                                         const Vector3 &centre, PeridynamicBody &plate,
+                                         const double dt)
+{
+  const double shares = add_normal_forces(body, surface, plate);
+  return add_friction(body, shares, surface, centre, plate, dt);
 }
 } // namespace ricochet

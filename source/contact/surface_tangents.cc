@@ -38,4 +38,13 @@ SurfaceTangents::SurfaceTangents(const FacetedSurface &surface, const FacetedSur
     for (int a = 0; a < 4; ++a)
       on_node[i][a] = hit.weights[a] * direction[i] + slopes.col(i).dot(place[a]) * n;
 }
+
+double SurfaceTangents::reach(const int node) const
+{
+  // The larger singular value of the two rows.
+  const Vector3 &s = on_node[0][node], &t = on_node[1][node];
+  const double mean = 0.5 * (s.squaredNorm() + t.squaredNorm()),
+               half = 0.5 * (s.squaredNorm() - t.squaredNorm());
+  return std::sqrt(mean + std::hypot(half, s.dot(t)));
+}
 } // namespace ricochet

@@ -14,5 +14,8 @@ struct SurfaceTangents
   Vector3 on_node[2][4]; // [-]
 
   SurfaceTangents(const FacetedSurface &surface, const FacetedSurface::Hit &hit);
+
+  /// Size of the velocity at a node by an impulse of size 1 along the face, per its 1/mass [-].
+  double reach(int node) const;
 };
 } // namespace ricochet

@@ -183,8 +183,16 @@ Momenta HexahedralBody::momenta() const
   return m;
 }
 
-RigidBody::Motion HexahedralBody::rigid_motion() const
+RigidBody::Motion HexahedralBody::rigid_motion(const double kick) const
 {
-  return nearest_rigid_motion(mass_, solid_.nodes, position_, velocity_, mirrored_);
+  return nearest_rigid_motion(mass_, solid_.nodes, position_, velocity_after(kick), mirrored_);
+}
+
+std::vector<double> HexahedralBody::velocity_after(const double kick) const
+{
+  auto velocity = velocity_;
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    velocity[i] += kick * inverse_mass_[i] * force_[i];
+  return velocity;
 }
 } // namespace ricochet

@@ -89,7 +89,8 @@ DeformableProjectile::DeformableProjectile(const MPI_Comm communicator, const Sc
 
 void DeformableProjectile::follow()
 {
-  motion_ = nearest_motion();
+  motion_ = nearest_motion(/*kick=*/0.);
+  follow_pitch();
   surface_.update(nodes().position, reach_);
 }
 
@@ -106,12 +107,28 @@ void DeformableProjectile::compute_internal_forces(const ForceRequest &request)
   deformed().compute_internal_forces(request);
 }
 
-ContactRecord DeformableProjectile::add_contact_forces(const std::size_t plate,
-                                                       PeridynamicBody &points)
+Projectile::Motion DeformableProjectile::present_motion(const double dt) const
 {
-  auto reaction = contacts_[plate].add_forces(nodes(), surface_, motion_.position, points);
+  return nearest_motion(dt);
+}
+
+std::vector<ContactRecord>
+DeformableProjectile::add_contact_forces(const std::vector<PeridynamicBody *> &plates,
+                                         const double dt)
+{
+  double shares = 0.;
+  for (std::size_t i = 0; i < plates.size(); ++i)
+    shares += contacts_[i].add_normal_forces(nodes(), surface_, *plates[i]);
   distribute_surface_forces();
-  return reaction;
+  const auto velocities = present_velocities(dt);
+  const auto seen       = nodes();
+  const SurfaceNodes present{seen.position, velocities, seen.force, seen.mobility};
+  std::vector<ContactRecord> records;
+  for (std::size_t i = 0; i < plates.size(); ++i)
+    records.push_back(
+        contacts_[i].add_friction(present, shares, surface_, motion_.position, *plates[i], dt));
+  distribute_surface_forces();
+  return records;
 }
 
 double DeformableProjectile::friction_power()

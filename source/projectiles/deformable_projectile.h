@@ -18,7 +18,9 @@ public:
   std::pair<Vector3, Vector3> bounding_box() const override;
   SurfaceFrame surface() const override;
 
-  ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
+  Motion present_motion(double dt) const override;
+  std::vector<ContactRecord> add_contact_forces(const std::vector<PeridynamicBody *> &plates,
+                                                double dt) override;
   void record_work(double dt) override;
   double friction_work() const override;
 
@@ -45,14 +47,18 @@ protected:
   double contact_stiffness(std::size_t node) const { return stiffness_[node]; }
 
 private:
-  virtual Body &deformed()             = 0;
-  virtual const Body &deformed() const = 0;
-  virtual SurfaceNodes nodes()         = 0;
+  virtual Body &deformed()                                    = 0;
+  virtual const Body &deformed() const                        = 0;
+  virtual SurfaceNodes nodes()                                = 0;
+  /// Velocities of the surface's nodes half a kick on, by the forces there are, three numbers each
+  /// [m/s].
+  virtual std::vector<double> present_velocities(double kick) = 0;
   /// The forces on the surface's nodes go to the body.
   virtual void distribute_surface_forces() {}
   /// The surface follows the body.
   virtual void update_surface() {}
-  virtual Motion nearest_motion() const = 0;
+  /// With the velocities half a kick on [s].
+  virtual Motion nearest_motion(double kick) const = 0;
 
   void follow();
   double friction_power(); // at the present velocities, of the computed part [W]

@@ -26,6 +26,11 @@ FiniteElementProjectile::FiniteElementProjectile(const MPI_Comm communicator, co
                        plates),
   elastic_(mesh, material_of(scene, mesh), scene.symmetric)
 {
+  for (int node = 0; node < elastic_.n_nodes(); ++node)
+  {
+    const bool halved = elastic_.inverse_mass(3 * node + 1) == 0.; // on the mirror plane
+    mobility_.push_back((halved ? 0.5 : 1.) / elastic_.node_mass(node));
+  }
   double contact = 0.; // largest squared frequency of a node on the plates' springs
   for (int node = 0; node < elastic_.n_nodes(); ++node)
     contact = std::max(contact, contact_stiffness(node) / elastic_.node_mass(node));
@@ -34,5 +39,10 @@ FiniteElementProjectile::FiniteElementProjectile(const MPI_Comm communicator, co
   seconds_per_step_   = estimate.seconds_per_force;
   elastic_.set_motion(start);
   begin_motion();
+}
+
+std::vector<double> FiniteElementProjectile::present_velocities(const double kick)
+{
+  return elastic_.velocity_after(kick / 2.);
 }
 } // namespace ricochet

@@ -29,11 +29,16 @@ private:
   const Body &deformed() const override { return elastic_; }
   SurfaceNodes nodes() override
   {
-    return {elastic_.position(), elastic_.velocity(), elastic_.force()};
+    return {elastic_.position(), elastic_.velocity(), elastic_.force(), mobility_};
   }
-  Motion nearest_motion() const override { return elastic_.rigid_motion(); }
+  std::vector<double> present_velocities(double kick) override;
+  Motion nearest_motion(const double kick) const override
+  {
+    return elastic_.rigid_motion(kick / 2.);
+  }
 
   HexahedralBody elastic_;
+  std::vector<double> mobility_; // per node [1/kg]
   double squared_frequency_ = 0., seconds_per_step_ = 0.;
 };
 } // namespace ricochet

@@ -68,22 +68,39 @@ PeridynamicProjectile::PeridynamicProjectile(const MPI_Comm communicator, const 
   const Skin skin(mesh, mirrored_);
   build_skin(skin.nodes, skin.mesh_nodes);
 
-  // |W^T k W| <= the largest row sum times the largest column sum.
+  const double contact = bound_contact();
+  const auto estimate  = largest_frequency(MPI_COMM_SELF, *body_, n_power_iterations);
+  squared_frequency_   = estimate.squared_frequency + contact;
+  seconds_per_step_    = estimate.seconds_per_force;
+  place(start);
+  begin_motion();
+}
+
+/// Largest squared frequency of the skin's contact springs on the mass points [1/s^2]; notes how
+/// impulses on the skin move it. Row sums of |W^T k W| / m and of |W| 1/m |W^T|.
+double PeridynamicProjectile::bound_contact()
+{
   const auto &mass_points = body_->mass_points();
-  std::vector<double> row(skin.nodes.size(), 0.), column(mass_points.size(), 0.);
+  std::vector<double> row(skin_mobility_.size(), 0.); // sum of a node's weights
+  std::vector<double> column(mass_points.size(), 0.); // sum of a mass point's weights
   for (const auto &support : skin_)
+  {
     row[support.node] += std::abs(support.weight);
+    // A node on the mirror plane counts for either half.
+    column[support.mass_point] += (on_plane_[support.node] ? 0.5 : 1.) * std::abs(support.weight);
+  }
+  for (const auto &support : skin_)
+    skin_mobility_[support.node] += std::abs(support.weight) * column[support.mass_point] /
+                                    mass_points[support.mass_point].mass;
+
+  std::fill(column.begin(), column.end(), 0.);
   for (const auto &support : skin_)
     column[support.mass_point] +=
         contact_stiffness(support.node) * std::abs(support.weight) * row[support.node];
-  double contact = 0.;
+  double largest = 0.;
   for (std::size_t i = 0; i < column.size(); ++i)
-    contact = std::max(contact, column[i] / mass_points[i].mass);
-  const auto estimate = largest_frequency(MPI_COMM_SELF, *body_, n_power_iterations);
-  squared_frequency_  = estimate.squared_frequency + contact;
-  seconds_per_step_   = estimate.seconds_per_force;
-  place(start);
-  begin_motion();
+    largest = std::max(largest, column[i] / mass_points[i].mass);
+  return largest;
 }
 
 std::string PeridynamicProjectile::parts() const
@@ -103,7 +120,10 @@ void PeridynamicProjectile::build_skin(const std::vector<Vector3> &nodes,
   const double spacing = body_->spacing();
   skin_position_.assign(3 * nodes.size(), 0.);
   skin_velocity_ = skin_force_ = skin_position_;
-  const auto &points           = body_->points();
+  skin_mobility_.assign(nodes.size(), 0.);
+  for (const auto &node : nodes)
+    on_plane_.push_back(mirrored_ && node.y() == 0.);
+  const auto &points = body_->points();
   for (std::size_t node = 0; node < nodes.size(); ++node)
   {
     if (const int own = body_->mass_point_of(mesh_nodes[node]); own >= 0)
@@ -175,18 +195,30 @@ void PeridynamicProjectile::place(const Motion &start)
   update_surface();
 }
 
-void PeridynamicProjectile::update_surface()
+template <class Value>
+void PeridynamicProjectile::follow(std::vector<double> &on_skin, const Value &value) const
 {
-  std::fill(skin_position_.begin(), skin_position_.end(), 0.);
-  std::fill(skin_velocity_.begin(), skin_velocity_.end(), 0.);
+  std::fill(on_skin.begin(), on_skin.end(), 0.);
   for (const auto &support : skin_)
     for (int d = 0; d < 3; ++d)
     {
       const double weight = support.image && d == 1 ? -support.weight : support.weight;
-      const auto &point   = body_->mass_points()[support.mass_point];
-      skin_position_[3 * support.node + d] += weight * *point.position[d];
-      skin_velocity_[3 * support.node + d] += weight * *point.velocity[d];
+      on_skin[3 * support.node + d] += weight * value(body_->mass_points()[support.mass_point], d);
     }
+}
+
+void PeridynamicProjectile::update_surface()
+{
+  follow(skin_position_, [](const MassPoint &p, const int d) { return *p.position[d]; });
+  follow(skin_velocity_, [](const MassPoint &p, const int d) { return *p.velocity[d]; });
+}
+
+std::vector<double> PeridynamicProjectile::present_velocities(const double kick)
+{
+  auto velocity = skin_velocity_;
+  follow(velocity, [kick](const MassPoint &p, const int d)
+         { return *p.velocity[d] + kick / 2. * p.mobility[d] * *p.force[d]; });
+  return velocity;
 }
 
 void PeridynamicProjectile::compute_internal_forces(const ForceRequest &request)
@@ -207,7 +239,7 @@ void PeridynamicProjectile::distribute_surface_forces()
   std::fill(skin_force_.begin(), skin_force_.end(), 0.);
 }
 
-Projectile::Motion PeridynamicProjectile::nearest_motion() const
+Projectile::Motion PeridynamicProjectile::nearest_motion(const double kick) const
 {
   std::vector<double> mass, position, velocity;
   std::vector<Vector3> reference;
@@ -218,7 +250,7 @@ Projectile::Motion PeridynamicProjectile::nearest_motion() const
     for (int d = 0; d < 3; ++d)
     {
       position.push_back(*point.position[d]);
-      velocity.push_back(*point.velocity[d]);
+      velocity.push_back(*point.velocity[d] + kick / 2. * point.mobility[d] * *point.force[d]);
     }
   }
   return nearest_rigid_motion(mass, reference, position, velocity, mirrored_);

@@ -37,20 +37,32 @@ private:
     double weight; // [-]
   };
 
+  using MassPoint = CoupledProjectileBody::MassPoint;
+
   Body &deformed() override { return *body_; }
   const Body &deformed() const override { return *body_; }
-  SurfaceNodes nodes() override { return {skin_position_, skin_velocity_, skin_force_}; }
+  SurfaceNodes nodes() override
+  {
+    return {skin_position_, skin_velocity_, skin_force_, skin_mobility_};
+  }
+  std::vector<double> present_velocities(double kick) override;
   void distribute_surface_forces() override;
   void update_surface() override;
-  Motion nearest_motion() const override;
+  Motion nearest_motion(double kick) const override;
 
   void build_skin(const std::vector<Vector3> &nodes, const std::vector<int> &mesh_nodes);
   void place(const Motion &start);
+  double bound_contact();
+  /// The skin's nodes, three numbers each, take over a quantity of the mass points.
+  template <class Value>
+  void follow(std::vector<double> &on_skin, const Value &value) const;
 
   bool mirrored_;
   std::unique_ptr<CoupledProjectileBody> body_; // whole on every rank
   std::vector<Support> skin_;                   // by node
   std::vector<double> skin_position_, skin_velocity_, skin_force_;
+  std::vector<double> skin_mobility_; // per node [1/kg]
+  std::vector<char> on_plane_;        // per node, the mirror plane
   double squared_frequency_ = 0., seconds_per_step_ = 0.;
 };
 } // namespace ricochet

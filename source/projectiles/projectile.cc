@@ -83,9 +83,10 @@ HexSolid fitted(HexSolid mesh, const BodyOfRevolution &body)
 }
 } // namespace
 
-double Projectile::pitch() const
+void Projectile::follow_pitch()
 {
-  return std::asin(std::clamp((motion().orientation * Vector3::UnitX()).z(), -1., 1.));
+  const Vector3 axis = motion().orientation * Vector3::UnitX();
+  pitch_ += std::remainder(std::atan2(axis.z(), axis.x()) - pitch_, 2. * M_PI);
 }
 
 HexSolid projectile_mesh(const Scene &scene)
@@ -103,16 +104,21 @@ std::unique_ptr<Projectile> make_projectile(const MPI_Comm communicator, const S
 {
   const auto &impact = scene.impact;
   auto start         = start_of(impact);
-  // Where the origin of the body axes, the centroid of the shape, is.
-  start.position     = Vector3(impact.entry_x, impact.entry_y, impact.clearance) -
-                   lowest_point(BodyOfRevolution(scene.projectile.shape), start.orientation);
+  // Where the origin of the body axes, the centroid of the shape, is: the lowest point flies
+  // straight to the entry point.
+  start.position =
+      Vector3(impact.entry_x, impact.entry_y, 0.) -
+      impact.clearance / std::sin(impact.incidence_angle) * start.velocity.normalized() -
+      lowest_point(BodyOfRevolution(scene.projectile.shape), start.orientation);
   if (scene.projectile.model == ProjectileModel::rigid)
     return std::make_unique<RigidProjectile>(communicator, scene, start, law, plates);
 
-  // In the same place; higher only if a corner of the facets, which stands out from the shape,
-  // would lie in the plate.
+  // In the same place; farther back only if a corner of the facets, which stands out from the
+  // shape, would lie in the plate.
   const HexSolid mesh = projectile_mesh(scene);
-  start.position.z()  = std::max(start.position.z(), -lowest_node(mesh, start.orientation));
+  const double buried = -lowest_node(mesh, start.orientation) - start.position.z(); // [m]
+  if (buried > 0.)
+    start.position -= buried / std::sin(impact.incidence_angle) * start.velocity.normalized();
   if (scene.projectile.model != ProjectileModel::finite_elements)
     return std::make_unique<PeridynamicProjectile>(communicator, scene, mesh, start, law, plates);
   Vector3 centre = centroid(mesh);

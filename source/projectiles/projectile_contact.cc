@@ -3,11 +3,11 @@
 
 namespace ricochet
 {
-void ProjectileContact::add_forces(double)
+void ProjectileContact::add_forces(const double dt)
 {
   record_ = {};
-  for (std::size_t i = 0; i < plates_.size(); ++i)
-    record_ += projectile_.add_contact_forces(i, *plates_[i]);
+  for (const auto &record : projectile_.add_contact_forces(plates_, dt))
+    record_ += record;
 }
 
 void ProjectileContact::record_work(const double dt)

@@ -14,13 +14,27 @@ RigidProjectile::RigidProjectile(const MPI_Comm communicator, const Scene &scene
 {
   for (const auto &plate : plates)
     contacts_.emplace_back(communicator, law, plate.parameters, scene.symmetric, plate.n_planes);
+  follow_pitch();
 }
 
-ContactRecord RigidProjectile::add_contact_forces(const std::size_t plate, PeridynamicBody &points)
+Projectile::Motion RigidProjectile::present_motion(const double dt) const
 {
-  auto reaction = contacts_[plate].add_forces(rigid_, points);
-  load_ += reaction;
-  return reaction;
+  return rigid_.present_motion(load_.force(), load_.moment, dt);
+}
+
+std::vector<ContactRecord>
+RigidProjectile::add_contact_forces(const std::vector<PeridynamicBody *> &plates, const double dt)
+{
+  RigidContact::Press press;
+  for (std::size_t i = 0; i < plates.size(); ++i)
+    press += contacts_[i].add_normal_forces(rigid_, *plates[i]);
+  std::vector<ContactRecord> records;
+  for (std::size_t i = 0; i < plates.size(); ++i)
+  {
+    records.push_back(contacts_[i].add_friction(rigid_, press, *plates[i], dt));
+    load_ += records.back();
+  }
+  return records;
 }
 
 void RigidProjectile::advance(const double kick, const double drift)
@@ -31,6 +45,7 @@ void RigidProjectile::advance(const double kick, const double drift)
   work_ += 0.5 * kick *
            ((load_.friction + load_.shank).dot(velocity + after.velocity) +
             load_.friction_moment.dot(spin + after.spin));
+  follow_pitch();
 }
 
 void RigidProjectile::record_work(const double dt)

@@ -16,7 +16,9 @@ public:
   std::pair<Vector3, Vector3> bounding_box() const override { return rigid_.bounding_box(); }
   SurfaceFrame surface() const override;
 
-  ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points) override;
+  Motion present_motion(double dt) const override;
+  std::vector<ContactRecord> add_contact_forces(const std::vector<PeridynamicBody *> &plates,
+                                                double dt) override;
   void record_work(double dt) override;
   double friction_work() const override;
 

@@ -11,7 +11,7 @@ using namespace units;
 
 const RigidBody::Motion &motion(const Moment &m)
 {
-  return m.simulation.projectile().motion();
+  return m.motion;
 }
 
 const ContactRecord &reaction(const Moment &m)
@@ -34,7 +34,8 @@ const std::vector<HistoryColumn> columns{
     {"y", "mm", [](M m) { return motion(m).position.y() / mm; }, "the same, to the side"},
     {"z", "mm", [](M m) { return motion(m).position.z() / mm; },
      "the same, above the front face of the first plate"},
-    {"speed", "m/s", [](M m) { return motion(m).velocity.norm(); }, "of the projectile's centroid"},
+    {"speed", "m/s", [](M m) { return motion(m).velocity.norm(); },
+     "of the projectile's centroid, at this time"},
     {"velocity x", "m/s", [](M m) { return motion(m).velocity.x(); },
      "of the projectile's centroid"},
     {"velocity y", "m/s", [](M m) { return motion(m).velocity.y(); },
@@ -42,7 +43,9 @@ const std::vector<HistoryColumn> columns{
     {"velocity z", "m/s", [](M m) { return motion(m).velocity.z(); },
      "of the projectile's centroid"},
     {"pitch", "deg", [](M m) { return m.simulation.projectile().pitch() / deg; },
-     "of the projectile's axis against the plates, nose up is positive"},
+     "of the projectile's axis against the plates, seen from the side: nose up is positive, "
+     "counted "
+     "on beyond a quarter turn"},
     {"spin x", "rad/s", [](M m) { return motion(m).spin.x(); },
      "angular velocity of the projectile"},
     {"spin y", "rad/s", [](M m) { return motion(m).spin.y(); },
@@ -109,6 +112,7 @@ const std::vector<HistoryColumn> &history_columns()
 std::vector<double> history_record(const Moment &moment)
 {
   std::vector<double> record;
+  record.reserve(columns.size());
   for (const HistoryColumn &column : columns)
     record.push_back(column.value(moment));
   return record;

@@ -34,8 +34,9 @@ Simulation::Simulation(const MPI_Comm communicator, const Scene &scene) :
   for (const auto &plate : plates_)
     bodies.push_back(plate.body.get());
   bodies.push_back(projectile_.get());
+  // Friction of the projectile comes last: it must know what else moves the points.
   integrator_ = std::make_unique<Leapfrog>(
-      bodies, std::vector<Interaction *>{projectile_contact_.get(), short_range_contact_.get()});
+      bodies, std::vector<Interaction *>{short_range_contact_.get(), projectile_contact_.get()});
 }
 
 const MaterialParameters &Simulation::material(const std::size_t plate) const
@@ -94,9 +95,9 @@ void Simulation::build_projectile()
 /// The projectile must start outside all plates.
 void Simulation::refuse_overlap()
 {
+  const auto reactions = projectile_->add_contact_forces(plates(), /*dt=*/0.);
   for (std::size_t i = 0; i < plates_.size(); ++i)
-    if (const auto reaction = projectile_->add_contact_forces(i, *plates_[i].points);
-        reaction.n_touching > 0.)
+    if (const auto &reaction = reactions[i]; reaction.n_touching > 0.)
     {
       std::ostringstream message;
       message << "The projectile starts inside plate " << i + 1 << ": it touches "

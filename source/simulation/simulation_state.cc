@@ -2,6 +2,7 @@
 // What a Simulation says of its present state: frames, complaints.
 #include "element_frame.h"
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "ricochet/simulation/simulation.h"
 
 #include <limits>
@@ -15,16 +16,6 @@ Vector3 at(double *const field[3], const std::ptrdiff_t p)
 {
   return {field[0][p], field[1][p], field[2][p]};
 }
-
-std::string broadcast(const MPI_Comm communicator, std::string text, const int root)
-{
-  int length = static_cast<int>(text.size());
-  MPI_Bcast(&length, 1, MPI_INT, root, communicator);
-  text.resize(length);
-  MPI_Bcast(text.data(), length, MPI_CHAR, root, communicator);
-  return text;
-}
-
 } // namespace
 
 void Simulation::check_finite() const

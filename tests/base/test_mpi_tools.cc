@@ -32,6 +32,16 @@ TEST(MpiTools, TextReplacesWhatTheOthersHad)
     }
 }
 
+TEST(MpiTools, EveryRankGetsWhatAllHaveInTheirOrder)
+{
+  // Rank r has r things.
+  const std::vector<double> mine(rank_in(MPI_COMM_WORLD), rank_in(MPI_COMM_WORLD));
+  std::vector<double> expected;
+  for (int r = 0; r < size_of(MPI_COMM_WORLD); ++r)
+    expected.insert(expected.end(), r, r);
+  EXPECT_EQ(gather_on_every_rank(MPI_COMM_WORLD, mine), expected);
+}
+
 TEST(MpiTools, TruthOfOneRankIsTheTruth)
 {
   const int n = size_of(MPI_COMM_WORLD);

@@ -25,10 +25,14 @@ struct Nodes
   HexSolid solid;
   RigidBody::Motion motion;
   std::vector<double> position, velocity, force;
+  std::vector<double> mobility; // per node [1/kg]
 
-  explicit Nodes(const HexSolid &mesh) : solid(mesh), force(3 * mesh.nodes.size(), 0.) {}
+  explicit Nodes(const HexSolid &mesh) :
+    solid(mesh), force(3 * mesh.nodes.size(), 0.), mobility(mesh.nodes.size(), 1e4)
+  {
+  }
 
-  operator SurfaceNodes() { return {position, velocity, force}; }
+  operator SurfaceNodes() { return {position, velocity, force, mobility}; }
   int n_nodes() const { return static_cast<int>(solid.nodes.size()); }
 
   void set_motion(const RigidBody::Motion &rigid)
@@ -111,9 +115,10 @@ TEST(SurfaceContact, ForcesAndMomentsOnPointsAndNodesCancel)
   for (const auto &friction : friction_law_samples)
   {
     Ploughing scene;
-    const auto law      = make_friction_law(friction);
-    auto contact        = make_contact(*law, 40., scene);
-    const auto reaction = contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate);
+    const auto law = make_friction_law(friction);
+    auto contact   = make_contact(*law, 40., scene);
+    const auto reaction =
+        contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate, 0.);
     Vector3 sum = Vector3::Zero(), moment = Vector3::Zero(), nodes = Vector3::Zero(),
             node_moment = Vector3::Zero();
     double total        = 0.;
@@ -153,7 +158,7 @@ TEST(SurfaceContact, NormalForcesAreTheGradientOfTheStoredEnergy)
   {
     scene.clear();
     scene.surface.update(scene.body.position, 1.5 * dx);
-    return contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate).energy;
+    return contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate, 0.).energy;
   };
   energy();
   const auto on_nodes = scene.body.force;
@@ -207,7 +212,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   {
     scene.clear();
     auto contact = make_contact(*law, shank, scene);
-    contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate);
+    contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate, 0.);
     double sum = 0.;
     for (std::size_t i = 0; i < scene.body.velocity.size(); ++i)
       sum += contact.friction_on_nodes()[i] * scene.body.velocity[i];
@@ -218,7 +223,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
     scene.clear();
     const auto none = make_friction_law(ConstantFriction::Parameters{0.});
     auto without    = make_contact(*none, 0., scene);
-    without.add_forces(scene.body, scene.surface, scene.centre, *scene.plate);
+    without.add_forces(scene.body, scene.surface, scene.centre, *scene.plate, 0.);
     std::size_t point = 0;
     for_each_point(*scene.plate,
                    [&](const std::ptrdiff_t p)
@@ -236,7 +241,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   const RigidBody rigid(core, 5e-3, motion, false);
   scene.clear();
   RigidContact contact(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
-  const auto reaction = contact.add_forces(rigid, *scene.plate);
+  const auto reaction = contact.add_forces(rigid, *scene.plate, 0.);
   double on_rigid =
       reaction.friction.dot(motion.velocity) + reaction.friction_moment.dot(motion.spin);
   std::vector<Vector3> total;
@@ -245,7 +250,7 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   scene.clear();
   const auto none = make_friction_law(ConstantFriction::Parameters{0.});
   RigidContact without(MPI_COMM_SELF, *none, {5e6, 0., 5.}, false, 30);
-  without.add_forces(rigid, *scene.plate);
+  without.add_forces(rigid, *scene.plate, 0.);
   std::size_t point = 0;
   for_each_point(*scene.plate,
                  [&](const std::ptrdiff_t p)
@@ -256,6 +261,39 @@ TEST(SurfaceContact, FrictionWorksOnTheSlidingSpeedAndNeverGivesEnergy)
   EXPECT_NEAR(without_shank, on_rigid, 0.05 * std::abs(on_rigid));
 }
 
+TEST(SurfaceContact, FrictionGivesNoEnergyHoweverLargeItIs)
+{
+  // Free points and free nodes, light ones too; forces that have nothing to do with friction.
+  for (const double node_mass : {1e-7, 1e-4})
+    for (const double mu : {0.3, 1., 20., 1e4})
+      for (const double dt : {1e-9, 1e-7, 1e-6})
+      {
+        Ploughing scene;
+        Random random(5);
+        for_each_point(*scene.plate, [&](const std::ptrdiff_t p)
+                       { set(scene.plate->state().arrays.force, p, 3000. * random.vector()); });
+        for (double &f : scene.body.force)
+          f = 3000. * random.uniform();
+        scene.body.mobility.assign(scene.body.mobility.size(), 1. / node_mass);
+        const auto law      = make_friction_law(ConstantFriction::Parameters{mu});
+        auto contact        = make_contact(*law, 40., scene);
+        const double shares = contact.add_normal_forces(scene.body, scene.surface, *scene.plate);
+        auto velocity       = scene.body.velocity;
+        for (std::size_t i = 0; i < velocity.size(); ++i)
+          velocity[i] += dt / (2. * node_mass) * scene.body.force[i];
+        const SurfaceNodes present{scene.body.position, velocity, scene.body.force,
+                                   scene.body.mobility};
+        contact.add_friction(present, shares, scene.surface, scene.centre, *scene.plate, dt);
+        scene.plate->advance(dt, dt);
+        contact.record_work(dt);
+        double work = contact.work_on_points();
+        for (std::size_t i = 0; i < velocity.size(); ++i)
+          work += dt * contact.friction_on_nodes()[i] *
+                  (scene.body.velocity[i] + dt / (2. * node_mass) * scene.body.force[i]);
+        EXPECT_LT(work, 0.) << node_mass << " kg, mu = " << mu << ", " << dt << " s";
+      }
+}
+
 TEST(SurfaceContact, AgreesWithTheRigidShapeWhenTheFacetsAreFine)
 {
   double difference[2];
@@ -264,14 +302,15 @@ TEST(SurfaceContact, AgreesWithTheRigidShapeWhenTheFacetsAreFine)
     Ploughing scene(refinement);
     scene.body.set_motion(scene.body.motion); // without the shaking of its nodes
     scene.surface.update(scene.body.position, 1.5 * dx);
-    const auto law      = make_friction_law(ConstantFriction::Parameters{0.2});
-    auto contact        = make_contact(*law, 0., scene);
-    const auto reaction = contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate);
-    auto motion         = scene.body.motion;
+    const auto law = make_friction_law(ConstantFriction::Parameters{0.2});
+    auto contact   = make_contact(*law, 0., scene);
+    const auto reaction =
+        contact.add_forces(scene.body, scene.surface, scene.centre, *scene.plate, 0.);
+    auto motion = scene.body.motion;
     motion.position -= motion.orientation * centroid(scene.body.solid); // of the shape
     scene.clear();
     RigidContact smooth(MPI_COMM_SELF, *law, {5e6, 0., 5.}, false, 30);
-    const auto expected = smooth.add_forces(RigidBody(core, 5e-3, motion, false), *scene.plate);
+    const auto expected = smooth.add_forces(RigidBody(core, 5e-3, motion, false), *scene.plate, 0.);
     difference[refinement - 2] = (reaction.force() - expected.force()).norm();
     EXPECT_LT(difference[refinement - 2], 0.1 * expected.force().norm());
     EXPECT_NEAR(reaction.energy, expected.energy, 0.1 * expected.energy);

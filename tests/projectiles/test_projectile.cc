@@ -43,9 +43,23 @@ TEST_P(StartOfProjectile, LowestPointIsAboveTheEntryPointAndTheAxisInclined)
       EXPECT_GE(low.z(), rigid ? scene.impact.clearance - 1e-6 : -1e-15);
       EXPECT_LT(low.z(), scene.impact.clearance + (rigid ? 1e-6 : 0.1 * 5e-3));
       EXPECT_NEAR(low.y() + high.y(), 0., 1e-15); // also of a half, which is completed
-      EXPECT_GT(high.x(), scene.impact.entry_x);
+      EXPECT_GT(high.x(), scene.impact.entry_x - scene.impact.clearance / std::tan(incidence));
       EXPECT_LT(low.x(), scene.impact.entry_x);
     }
+}
+
+TEST_P(StartOfProjectile, ItFliesToTheEntryPointFromWhereverItStarts)
+{
+  const auto law               = make_friction_law(GetParam().contact.friction);
+  Scene scene                  = GetParam();
+  scene.impact.incidence_angle = 10. * units::deg;
+  scene.impact.clearance       = 1e-3;
+  const auto near              = make_projectile(MPI_COMM_SELF, scene, *law, {});
+  scene.impact.clearance       = 5e-3;
+  const auto far               = make_projectile(MPI_COMM_SELF, scene, *law, {});
+  const Vector3 between        = near->motion().position - far->motion().position;
+  EXPECT_NEAR(between.z(), -4e-3, 1e-12);
+  EXPECT_LT(between.cross(near->motion().velocity).norm(), 1e-12 * 300.);
 }
 
 TEST_P(StartOfProjectile, EnergyAndMomentumAreThoseOfThePoint)

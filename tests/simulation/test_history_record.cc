@@ -41,7 +41,8 @@ TEST(HistoryRecord, EveryValueIsThatOfItsName)
   for (std::size_t i = 0; i < record.size(); ++i)
     value[history_columns()[i].name] = record[i];
 
-  const auto &motion = simulation.projectile().motion();
+  const auto motion = simulation.present_motion();
+  EXPECT_NE(motion.velocity, simulation.projectile().motion().velocity) << "of half a step before";
   EXPECT_EQ(value.at("time"), simulation.time() / 1e-6);
   EXPECT_EQ(value.at("z"), motion.position.z() / 1e-3);
   EXPECT_EQ(value.at("velocity x"), motion.velocity.x());

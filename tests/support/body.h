@@ -37,14 +37,15 @@ struct BodySample
   Lattice::Mask mask          = {};
   const char *instruction_set = nullptr;
   int number                  = 0;
+  double density_factor       = 1.; // of the law's density
   MPI_Comm communicator       = MPI_COMM_SELF;
 };
 
 inline std::unique_ptr<PeridynamicBody> make_body(const BodySample &sample)
 {
   const auto &law = sample.family.law;
-  const PeridynamicMaterial material{&bond_law(law.law), law.density, law.bulk_modulus,
-                                     law.shear_modulus, sample.critical_stretch};
+  const PeridynamicMaterial material{&bond_law(law.law), sample.density_factor * law.density,
+                                     law.bulk_modulus, law.shear_modulus, sample.critical_stretch};
   const Lattice::Box box{sample.corner, sample.spacing, sample.n, sample.mirror_y};
   return std::make_unique<PeridynamicBody>(
       sample.communicator, sample.number, box,

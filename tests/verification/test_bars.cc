@@ -38,8 +38,12 @@ Impact collide(HexahedralBody &bar, PeridynamicBody &target, const bool moves,
   SurfaceContact contact(MPI_COMM_SELF, *law, {stiffness, 0., 5.}, false,
                          target.lattice().box().n[0], std::vector<char>(surface.faces().size(), 0));
   double least = 1.;
+  std::vector<double> mobility;
   for (int node = 0; node < bar.n_nodes(); ++node)
+  {
     least = std::min(least, bar.node_mass(node));
+    mobility.push_back(1. / bar.node_mass(node));
+  }
   double squared = largest_frequency(MPI_COMM_SELF, bar, 60).squared_frequency + stiffness / least;
   if (moves)
     squared = std::max(squared, largest_frequency(MPI_COMM_SELF, target).squared_frequency +
@@ -59,8 +63,9 @@ Impact collide(HexahedralBody &bar, PeridynamicBody &target, const bool moves,
     target.update_ghosts();
     target.compute_internal_forces({true});
     surface.update(bar.position(), 2. * spacing);
-    const auto reaction = contact.add_forces({bar.position(), bar.velocity(), bar.force()}, surface,
-                                             Vector3::Zero(), target);
+    const auto reaction =
+        contact.add_forces({bar.position(), bar.velocity(), bar.force(), mobility}, surface,
+                           Vector3::Zero(), target, dt);
     if (reaction.normal.x() > 0.5 * plateau)
     {
       first = first < 0. ? t : first;

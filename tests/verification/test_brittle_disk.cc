@@ -85,7 +85,7 @@ TEST(BrittleDisk, KeepsItsSymmetryAndBreaksEvenly)
       verify_at_most("V17", "asymmetry of the velocities before the first break over v",
                      asymmetry(disk) / speed, 1e-8);
     }
-    const auto reaction = contact.add_forces(sphere, disk);
+    const auto reaction = contact.add_forces(sphere, disk, dt);
     debris.add_forces(dt);
     disk.advance(dt, dt);
     sphere.advance(reaction.force(), reaction.moment, dt, dt);

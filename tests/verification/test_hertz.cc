@@ -50,7 +50,7 @@ TEST(Hertz, SteelBallOnPmmaHasTheForceDurationAndReturnOfTheory)
   {
     block->update_ghosts();
     block->compute_internal_forces({false});
-    const auto reaction = contact.add_forces(ball, *block);
+    const auto reaction = contact.add_forces(ball, *block, dt);
     largest             = std::max(largest, reaction.normal.z());
     if (reaction.n_touching > 0.)
     {

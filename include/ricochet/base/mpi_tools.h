@@ -3,7 +3,10 @@
 #pragma once
 
 #include <mpi.h>
+#include <numeric>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace ricochet
 {
@@ -32,6 +35,24 @@ inline std::string broadcast(const MPI_Comm communicator, std::string text, cons
   text.resize(length);
   MPI_Bcast(text.data(), length, MPI_CHAR, root, communicator);
   return text;
+}
+
+/// What all ranks have, in their order, on every rank; below 2 GiB. Collective.
+template <class T>
+std::vector<T> gather_on_every_rank(const MPI_Comm communicator, const std::vector<T> &mine)
+{
+  static_assert(std::is_trivially_copyable_v<T>, "sent as bytes");
+  const int n_ranks = size_of(communicator);
+  if (n_ranks == 1)
+    return mine;
+  std::vector<int> counts(n_ranks), starts(n_ranks, 0);
+  const int n = static_cast<int>(sizeof(T) * mine.size());
+  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
+  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+  std::vector<T> all((starts.back() + counts.back()) / sizeof(T));
+  MPI_Allgatherv(mine.data(), n, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE,
+                 communicator);
+  return all;
 }
 
 /// Whether the statement is true on rank `root`, on every rank. Collective.

@@ -10,6 +10,9 @@
 
 namespace ricochet
 {
+/// Of translation, then rotation.
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
 class RigidBody
 {
 public:
@@ -30,14 +33,19 @@ public:
   /// torque-free motion keeps the momentum exactly and the energy to second order in dt.
   void advance(const Vector3 &force, const Vector3 &moment, double kick, double drift);
 
+  /// The motion with the velocities of the present time instead of half a step before: half a kick
+  /// on. Arguments as for advance().
+  Motion present_motion(const Vector3 &force, const Vector3 &moment, double kick) const;
+  /// L with L L^T = the change of velocity and spin by an impulse and its moment about the centroid
+  /// [kg^-1/2, kg^-1/2 m^-1]; without what a planar motion may not do.
+  Matrix6 root_of_mobility() const;
+
   const BodyOfRevolution &body() const { return body_; }                  // its shape
   const Motion &motion() const { return motion_; }                        // at present
   double mass() const { return mass_; }                                   // [kg]
   Vector3 axis() const { return motion_.orientation * Vector3::UnitX(); } // towards the tip
   Vector3 angular_momentum() const { return angular_momentum_; } // about the centroid [kg m^2/s]
 
-  /// Inclination of the axis to the plane z = 0, positive = nose up [rad].
-  double pitch() const;
   /// Velocity of the body's material at a point of space [m/s].
   Vector3 velocity_at(const Vector3 &point) const
   {
@@ -50,7 +58,11 @@ public:
   std::pair<Vector3, Vector3> bounding_box() const;
 
 private:
-  Vector3 spin_from_momentum(const Eigen::Quaterniond &orientation) const;
+  Vector3 inertia() const; // about the body axes [kg m^2]
+  Vector3 spin_from_momentum(const Eigen::Quaterniond &orientation,
+                             const Vector3 &angular_momentum) const;
+  /// Removes what a planar motion may not do.
+  void restrict(Vector3 &linear, Vector3 &angular) const;
 
   BodyOfRevolution body_;
   double mass_;

@@ -4,10 +4,11 @@
 //
 //   normal    f_n = k d,  E = k d^2/2       d = depth, how far the two are in each other
 //   friction  f_t = -mu f_n v_t/|v_t|       Coulomb; v_t = relative velocity across the normal
-//   shank     f_s = -mu S v_t/|v_t|         S = fraction times A dx^2, the pressure A of a cavity
-//                                           that the target closes behind a projectile's nose
+//   shank     f_s = -mu s v_t/|v_t|         s = what the target's flow adds to f_n on a shank: up
+//                                           to S = fraction times A dx^2, see shank_push()
 // where v_t/|v_t| becomes v_t/v_reg below the regularisation speed: a force that does not jump with
-// its sign. f_n = -dE/d(gap), gap = -d, so normal forces conserve energy; friction never gives any.
+// its sign. f_n = -dE/d(gap), gap = -d, so normal forces conserve energy. Friction never gives any:
+// its resistance, force over v_t, is bounded by what stops the sliding within a step.
 #pragma once
 
 #include <algorithm>
@@ -33,14 +34,16 @@ struct PairLaw
   /// Stored in the spring of the pair [J].
   Number energy(const Number &depth) const { return 0.5 * normal_force(depth) * depth; }
 
-  /// Size of Coulomb's force at full sliding; `mu` is the coefficient at the present speed. [N]
-  Number friction_limit(const Number &mu, const Number &normal_force) const
+  /// What the target's flow adds to the normal force on a shank, for friction alone [N]. A cavity
+  /// closes on a shank where the target yields, at the pressure A: nothing where the points push
+  /// more gently than S, all of S where they push twice as hard, linear between. So a rod that
+  /// lands softly on its side feels Coulomb's law and nothing else.
+  Number shank_push(const Number &normal_force) const
   {
-    return mu * normal_force;
+    using std::max;
+    using std::min;
+    return max(Number(0.), min(shank_force, Number(normal_force - shank_force)));
   }
-
-  /// The same of the shank [N].
-  Number shank_limit(const Number &mu) const { return mu * shank_force; }
 
   /// What the sliding velocity is divided by; `speed` = |v_t| [m/s].
   Number regularised(const Number &speed) const
@@ -49,37 +52,22 @@ struct PairLaw
     return max(speed, regularisation_speed);
   }
 
-  /// Direction of friction, -v_t/|v_t|; shorter than 1 below the regularisation speed.
-  template <class Vector>
-  Vector direction(const Vector &sliding, const Number &speed) const
-  {
-    return -sliding / regularised(speed);
-  }
-
-  /// Friction of two free points by their sliding velocity [N]. It stops them but never drives them
-  /// back: an impact presses points together so hard that one step of Coulomb's force would reverse
-  /// their sliding, and the next one again. All contacts of a point together stop it in one step at
-  /// the most, one alone takes some.
+  /// Friction is minus this times the sliding velocity [N s/m]. It stops two bodies but never
+  /// drives them back: an impact presses points so hard that one step of Coulomb's force would
+  /// reverse their sliding, and the next one again.
   ///
-  /// @param sliding       Velocity of the one relative to the other, across the normal [m/s].
-  /// @param mu            Coefficient of friction at that speed [-].
-  /// @param normal_force  f_n [N].
-  /// @param mass          Reduced mass of the two [kg].
-  /// @param dt            The coming kick [s].
-  template <class Vector>
-  Vector bounded_friction(const Vector &sliding, const Number &mu, const Number &normal_force,
-                          const Number &mass, const Number &dt) const
+  /// @param speed       |v_t| [m/s].
+  /// @param full        Size of the force at full sliding: mu times the normal force [N].
+  /// @param compliance  Change of the sliding velocity by an impulse of friction, with all that
+  /// acts
+  ///                    at once; an upper bound will do [1/kg].
+  /// @param dt          The coming kick [s]; 0: no bound.
+  Number resistance(const Number &speed, const Number &full, const Number &compliance,
+                    const Number &dt) const
   {
     using std::min;
-    const Number resistance =
-        friction_limit(mu, normal_force) / regularised(sliding.norm()); // [N s/m]
-    return -min(resistance, largest_resistance(mass, dt)) * sliding;
-  }
-
-  /// Beyond it friction might drive two points back [N s/m].
-  static Number largest_resistance(const Number &mass, const Number &dt)
-  {
-    return mass / (contacts_of_a_point * dt);
+    const Number coulomb = full / regularised(speed);
+    return dt > 0. ? min(coulomb, Number(1. / (compliance * dt))) : coulomb;
   }
 };
 

@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact of the points of a peridynamic body with a rigid body: points are spheres of diameter dx,
+// Contact of the points of peridynamic bodies with a rigid body: points are spheres of diameter dx,
 // the rigid body is its smooth surface. Each point in touch gets the forces of contact/pair_law.h
 // with depth = dx/2 - distance and k = factor E dx, the shank's on the cylindrical part alone; the
 // rigid body gets the opposite with its moment.
+//
+// Normal forces come first, of all plates, then friction, which knows what everything else is about
+// to do: it acts against the sliding velocity u at the time of the forces, half a kick without
+// friction after the velocities of the leapfrog scheme. With A, the change of all points' sliding
+// velocities by impulses of friction f dt, its work in the step is
+//
+//   dt f . (u + dt A f/2),   A = 1/m + J M^-1 J^T <= 1/m + largest eigenvalue of M^-1 sum J^T J
+//
+// (m of a point, M of the body with its inertia, J the velocity of the touched place by that of the
+// body, across the normal). With f = -c u and c <= 1/(dt A) that is never positive, however hard
+// the two are pressed and however large the coefficient: friction may make them stick.
 #pragma once
 
 #include "ricochet/bodies/rigid_body.h"
@@ -10,6 +21,9 @@
 #include "ricochet/contact/friction_law.h"
 #include "ricochet/contact/friction_work.h"
 #include "ricochet/contact/pair_law.h"
+#include "ricochet/peridynamics/plane_sums.h"
+
+#include <vector>
 
 namespace ricochet
 {
@@ -23,9 +37,33 @@ public:
   RigidContact(MPI_Comm communicator, const FrictionLaw &law, const Parameters &parameters,
                bool mirrored, int n_planes);
 
-  /// Adds contact forces to the points, which must outlive the next record_work(). What the rigid
-  /// body gets is in the record: force() and moment. Collective.
-  ContactRecord add_forces(const RigidBody &projectile, PeridynamicBody &plate);
+  /// What the points in touch, of one or more plates, do to the body before there is friction;
+  /// both halves.
+  struct Press
+  {
+    Vector3 force   = Vector3::Zero(); // [N]
+    Vector3 moment  = Vector3::Zero(); // about the centroid [N m]
+    /// Sum of J^T J, translation [-] before rotation [m, m^2].
+    Matrix6 sliding = Matrix6::Zero();
+
+    /// Adds that of another plate.
+    Press &operator+=(const Press &other);
+  };
+
+  /// Adds the normal forces to the points. What the body gets is in the record of add_friction(),
+  /// which must follow. Collective.
+  Press add_normal_forces(const RigidBody &projectile, PeridynamicBody &plate);
+
+  /// Adds the friction of the same points, which must outlive the next record_work(); their forces
+  /// are complete otherwise. Returns all that they do to the body. Collective.
+  ///
+  /// @param press  Of all plates.
+  /// @param dt     The coming kick [s]; 0: Coulomb's law at the present velocities.
+  ContactRecord add_friction(const RigidBody &projectile, const Press &press,
+                             PeridynamicBody &plate, double dt);
+
+  /// Both, where there is one plate. Collective.
+  ContactRecord add_forces(const RigidBody &projectile, PeridynamicBody &plate, double dt);
 
   /// Adds the friction work the points received in this step to the ledger: call after their kick,
   /// which is `dt` long [s].
@@ -34,17 +72,30 @@ public:
   double work_on_points() const { return multiplicity_ * work_.total(communicator_); }
 
 private:
-  void add_point_forces(std::ptrdiff_t point, const Vector3 &position,
-                        const BodyOfRevolution::Hit &hit, double depth, const RigidBody &projectile,
-                        PeridynamicBody &plate);
-  ContactRecord record(double spacing) const;
+  struct Touching
+  {
+    std::ptrdiff_t point;
+    Vector3 arm, normal; // from the centroid to the point [m]; of the surface, outward [-]
+    bool on_shank;
+    double depth; // [m]
+  };
+
+  void touch(std::ptrdiff_t point, const BodyOfRevolution::Hit &hit, double depth,
+             const RigidBody &projectile, PeridynamicBody &plate);
+  void rub(const Touching &touching, const RigidBody::Motion &present, double compliance,
+           PeridynamicBody &plate, double dt);
+  /// Of both halves.
+  void add_mirrored_half(Press &press) const;
+  void add_mirrored_half(ContactRecord &record) const;
 
   MPI_Comm communicator_;
   const FrictionLaw &law_;
   PairLaw<double> pair_law_;
   double multiplicity_; // 2 with a symmetry plane
-  PlaneSums<17> sums_;  // normal, friction, shank, moment, friction's moment, energy, points
+  std::vector<Touching> touching_;
+  PlaneSums<29> normal_sums_;  // force, moment, energy, points, upper half of `sliding`
+  PlaneSums<9> friction_sums_; // friction, shank, moment of both
   FrictionWork work_;
-  double deepest_ = 0., on_elements_ = 0.; // of this rank
+  ContactRecord record_; // at first of the normal forces, at last of all
 };
 } // namespace ricochet

@@ -9,6 +9,10 @@
 // moments of points and nodes cancel to rounding, and the sliding speed is the one on which these
 // very forces do work.
 //
+// Normal forces come first, of all plates, then friction, bounded as in contact/rigid_contact.h:
+// here A = 1/m + T M^-1 T^T with the nodes' masses M and T of what a touch does to them, and its
+// row sums are the bound.
+//
 // The projectile is the same on every rank; what the ranks' points do to it is gathered and added
 // in the order of the points, hence independent of the number of ranks.
 #pragma once
@@ -21,12 +25,16 @@
 
 namespace ricochet
 {
-/// What a body shows to its contacts: the nodes of its surface, three numbers each.
+/// What a body shows to its contacts: the nodes of its surface, three numbers each but for the
+/// last.
 struct SurfaceNodes
 {
   const std::vector<double> &position; // [m]
   const std::vector<double> &velocity; // [m/s]
   std::vector<double> &force;          // [N], added to
+  /// Per node, the most that impulses of one size at all nodes change its velocity, of the whole
+  /// body also with a mirror plane [1/kg].
+  const std::vector<double> &mobility;
 };
 
 class SurfaceContact
@@ -38,12 +46,26 @@ public:
   SurfaceContact(MPI_Comm communicator, const FrictionLaw &law, const Parameters &parameters,
                  bool mirrored, int n_planes, const std::vector<char> &is_shank);
 
-  /// Adds contact forces to the points and, whole, to the body; `surface` is up to date and looks
-  /// a spacing far or more: a point that has come deeper is followed by a search of all faces.
-  /// Returns what the points do to the body; moments are about `centre`. The plate must outlive the
-  /// next record_work(). Collective.
+  /// Adds the normal forces to the points and, whole, to the body; `surface` is up to date and
+  /// looks a spacing far or more: a point that has come deeper is followed by a search of all
+  /// faces. Returns how many touches share the node that has most of them [-]. Collective.
+  double add_normal_forces(const SurfaceNodes &body, const FacetedSurface &surface,
+                           PeridynamicBody &plate);
+
+  /// Adds the friction of the same points, whose forces are complete otherwise. The plate must
+  /// outlive the next record_work(). Returns what the points do to the body. Collective.
+  ///
+  /// @param body    With the velocities at the time of the forces, as far as friction does not
+  ///                change them.
+  /// @param shares  Sum over plates of what add_normal_forces() has returned.
+  /// @param centre  Moments are about it [m].
+  /// @param dt      The coming kick [s]; 0: Coulomb's law at these velocities.
+  ContactRecord add_friction(const SurfaceNodes &body, double shares, const FacetedSurface &surface,
+                             const Vector3 &centre, PeridynamicBody &plate, double dt);
+
+  /// Both, where there is one plate. Collective.
   ContactRecord add_forces(const SurfaceNodes &body, const FacetedSurface &surface,
-                           const Vector3 &centre, PeridynamicBody &plate);
+                           const Vector3 &centre, PeridynamicBody &plate, double dt);
 
   /// Adds the friction work of this step to the ledger: call after the points' kick, which is `dt`
   /// long [s].
@@ -60,36 +82,45 @@ private:
   struct Touching
   {
     std::ptrdiff_t point;
-    bool crossed;     // the symmetry plane: it is the image that touches this half
-    Vector3 velocity; // [m/s]
+    bool crossed; // the symmetry plane: it is the image that touches this half
     FacetedSurface::Hit hit;
     double depth; // [m]
   };
-  /// What one point does to the body; sent between ranks.
-  struct Load
+  /// What the normal force of one point does to the body; sent between ranks.
+  struct NormalLoad
   {
     double face;
-    double normal[12], friction[12]; // on the face's nodes; with shank [N]
-    double coulomb[3], shank[3];     // on the body [N]
-    double energy;                   // [J]
+    double on_nodes[12]; // [N]
+    double reach[4];     // sizes of the velocities that unit impulses along the face give [-]
+    double energy;       // [J]
+  };
+  /// The same of its friction.
+  struct FrictionLoad
+  {
+    double face;
+    double on_nodes[12];         // with shank [N]
+    double coulomb[3], shank[3]; // on the body [N]
   };
 
-  void find_loads(const SurfaceNodes &body, const FacetedSurface &surface, PeridynamicBody &plate);
-  void add_point_load(const Touching &touching, const SurfaceNodes &body,
-                      const FacetedSurface &surface, PeridynamicBody &plate);
-  std::vector<Load> gather() const;
-  void apply(const Load &load, const FacetedSurface &surface, const Vector3 &centre,
-             const SurfaceNodes &body, ContactRecord &record);
+  void find_touching(const FacetedSurface &surface, const PeridynamicBody &plate);
+  NormalLoad press(const Touching &touching, const FacetedSurface &surface, PeridynamicBody &plate);
+  FrictionLoad rub(const Touching &touching, const SurfaceNodes &body, double shares,
+                   const FacetedSurface &surface, PeridynamicBody &plate, double dt);
+  ContactRecord record(const SurfaceNodes &body, const FacetedSurface &surface,
+                       const Vector3 &centre) const;
 
   MPI_Comm communicator_;
   const FrictionLaw &law_;
   PairLaw<double> pair_law_;
   double multiplicity_; // 2 with a symmetry plane
   std::vector<char> is_shank_;
-  std::vector<Load> loads_;          // of this rank's points
-  std::vector<std::ptrdiff_t> deep_; // points whose centre is inside: the surface may lose them
-  std::vector<double> friction_;
+  std::vector<Touching> touching_;       // of this rank's points
+  std::vector<std::ptrdiff_t> deep_;     // points whose centre is inside: the surface may lose them
+  std::vector<NormalLoad> normal_loads_; // of all ranks
+  std::vector<FrictionLoad> friction_loads_; // of all ranks
+  std::vector<double> friction_;             // on the nodes
   FrictionWork work_;
-  double deepest_ = 0., on_elements_ = 0.; // of this rank
+  double deepest_ = 0., on_elements_ = 0.; // of all ranks
+  double spacing_ = 0.;                    // of the plate's points [m]
 };
 } // namespace ricochet

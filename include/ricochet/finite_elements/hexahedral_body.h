@@ -50,8 +50,11 @@ public:
 
   /// The rigid motion that the body's is closest to, mass-weighted; with a mirror plane that of
   /// both halves: centroid, its velocity, the rotation that takes the reference configuration
-  /// nearest to the present one, and the spin with the present angular momentum.
-  RigidBody::Motion rigid_motion() const;
+  /// nearest to the present one, and the spin with the present angular momentum; velocities are
+  /// those after `kick` [s].
+  RigidBody::Motion rigid_motion(double kick = 0.) const;
+  /// Velocities after a kick of the present forces [s], three numbers per node [m/s].
+  std::vector<double> velocity_after(double kick) const;
 
   const HexSolid &solid() const { return solid_; }            // the reference configuration
   bool mirrored() const { return mirrored_; }                 // see the constructor

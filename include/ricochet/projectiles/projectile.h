@@ -7,6 +7,8 @@
 #include "ricochet/output/frame.h"
 #include "ricochet/scene/scene.h"
 
+#include <vector>
+
 namespace ricochet
 {
 class Projectile : public Body
@@ -17,21 +19,27 @@ public:
   const BodyOfRevolution &body() const { return body_; } // undeformed
   double mass() const { return mass_; }                  // [kg]
 
-  /// Of the whole body; of a deformable one the nearest rigid motion.
-  virtual const Motion &motion() const = 0;
-  /// Inclination of the axis to the plane z = 0, positive = nose up [rad].
-  double pitch() const;
+  /// Of the whole body; of a deformable one the nearest rigid motion. Velocities are those of half
+  /// a step before the present time.
+  virtual const Motion &motion() const           = 0;
+  /// The same with the velocities of the present time; `dt` as for energies().
+  virtual Motion present_motion(double dt) const = 0;
+  /// Angle between the axis, seen from the side (along y), and the plates: positive = nose up,
+  /// counted on beyond a quarter turn and a full one [rad].
+  double pitch() const { return pitch_; }
   /// Lowest and highest corner of a box around the body [m].
   virtual std::pair<Vector3, Vector3> bounding_box() const = 0;
   /// What is drawn of it at present.
   virtual SurfaceFrame surface() const                     = 0;
 
-  /// Adds the forces of contact to plate number `plate` and to the body. Collective.
-  virtual ContactRecord add_contact_forces(std::size_t plate, PeridynamicBody &points) = 0;
+  /// Adds the forces of contact to the plates' points, all their other forces being there, and to
+  /// the body, in the coming kick of dt [s]. Returns what each plate does to the body; collective.
+  virtual std::vector<ContactRecord>
+  add_contact_forces(const std::vector<PeridynamicBody *> &plates, double dt) = 0;
   /// Books the work of friction on all plates' points in a step, `dt` long [s], after their kick.
-  virtual void record_work(double dt)                                                  = 0;
+  virtual void record_work(double dt)                                         = 0;
   /// Work of friction on body and points so far, both halves; minus the heat [J]. Collective.
-  virtual double friction_work() const                                                 = 0;
+  virtual double friction_work() const                                        = 0;
 
   /// Largest squared frequency of the body itself, contact springs included; 0 if rigid [1/s^2].
   virtual double squared_frequency() const = 0;
@@ -44,9 +52,13 @@ protected:
   /// `body`: the undeformed shape; `mass` of the whole [kg].
   Projectile(const BodyOfRevolution &body, const double mass) : body_(body), mass_(mass) {}
 
+  /// Call when motion() is new, at the start and after every step: turns less than half a turn.
+  void follow_pitch();
+
 private:
   BodyOfRevolution body_;
   double mass_;
+  double pitch_ = 0.; // [rad]
 };
 
 /// What a projectile must know of each plate, from top to bottom.

@@ -32,6 +32,8 @@ struct Moment
 {
   const Simulation &simulation; // at that time
   const Totals &totals;         // now
+  /// Of the projectile, velocities too.
+  Projectile::Motion motion = simulation.present_motion();
 };
 
 /// A column of history.csv and a dataset of history.h5. Whoever adds one writes this row and

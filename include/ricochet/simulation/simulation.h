@@ -38,8 +38,11 @@ public:
   double dt() const { return dt_; }     // [s]
   long step() const { return step_; }   // made so far
 
+  MPI_Comm communicator() const { return communicator_; }       // of all its collective calls
   const Scene &scene() const { return scene_; }                 // as given
   const Projectile &projectile() const { return *projectile_; } // as it is now
+  /// Of the projectile, with the velocities of the present time; after compute_forces().
+  Projectile::Motion present_motion() const { return projectile_->present_motion(dt_); }
   /// Of all plates on the projectile, at the last compute_forces().
   const ContactRecord &reaction() const { return projectile_contact_->record(); }
 
