@@ -125,7 +125,7 @@ def title_of(directory):
     if summary is None:
         return name, "run not finished"
     outcome = str(summary.get("outcome", ""))
-    parts = [{"perforate": "perforation", "undecided": "outcome undecided",
+    parts = [{"perforate": "perforation", "undecided": "outcome undecided", "pushed": "pushes the target away",
               "edge": f"leaves through the edge of plate {summary.get('exit_plate', 1)}"}.get(outcome, outcome)]
     if summary.get("exit_speed_m_s") is not None and outcome != "stuck":
         parts.append(f"{'last' if outcome == 'undecided' else 'exit'} speed {summary['exit_speed_m_s']:.0f} m/s")

@@ -14,6 +14,7 @@
 #include "ricochet/output/progress.h"
 #include "ricochet/output/summary.h"
 #include "ricochet/scene/scene_reader.h"
+#include "ricochet/simulation/observation.h"
 #include "ricochet/simulation/run_summary.h"
 #include "ricochet/simulation/sanity_check.h"
 
@@ -70,9 +71,9 @@ public:
   Run(const MPI_Comm communicator, Simulation &simulation, std::vector<InterfaceReport> interfaces,
       const RunOptions &options) :
     communicator_(communicator),
-    options_(options), simulation_(simulation), scene_(simulation.scene()), watch_(simulation),
-    damage_(communicator, simulation), warnings_(communicator), directory_(scene_.output.directory),
-    history_(communicator, directory_, names_and_units()),
+    options_(options), simulation_(simulation), scene_(simulation.scene()),
+    watch_(watch_of(simulation)), damage_(communicator, simulation), warnings_(communicator),
+    directory_(scene_.output.directory), history_(communicator, directory_, names_and_units()),
     frames_(communicator, directory_, scene_.output.vtu),
     records_due_(scene_.output.history_interval), frames_due_(scene_.output.frame_interval)
   {
@@ -102,7 +103,7 @@ public:
       throw;
     }
     progress.finish();
-    return finish(watch_.verdict(stop_reason_), start_cpu_seconds);
+    return finish(verdict_, start_cpu_seconds);
   }
 
 private:
@@ -117,7 +118,7 @@ private:
       const bool frame_due =
           picture_due || frames_due_.is_due(time) || (last && scene_.output.frame_interval > 0.);
       simulation_.compute_forces(record_due);
-      watch_.update();
+      watch_.update(observe(simulation_));
       warnings_.update(simulation_);
       if (record_due)
         record();
@@ -128,7 +129,12 @@ private:
             sighting(simulation_, watch_, scene_.output.picture_times[notes_.positions.size()]));
       show(progress);
       if (last)
+      {
+        // A decision that ended the run stands, whatever the last step has brought.
+        if (!decided_)
+          verdict_ = watch_.verdict(stop_reason_);
         return;
+      }
 
       simulation_.advance();
       last = must_stop(interruption);
@@ -145,7 +151,10 @@ private:
     }
     else if (simulation_.time() >= scene_.time.end_time)
       stop_reason_ = "the final time was reached";
-    return !stop_reason_.empty() || (scene_.time.stop_early && watch_.decided());
+    decided_ = scene_.time.stop_early && watch_.decided();
+    if (decided_)
+      verdict_ = watch_.verdict(stop_reason_);
+    return decided_ || !stop_reason_.empty();
   }
 
   void record()
@@ -215,6 +224,8 @@ private:
   Totals totals_; // of the last record
   RunNotes notes_;
   std::string stop_reason_;
+  bool decided_ = false; // and therefore at an end
+  OutcomeVerdict verdict_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 } // namespace

@@ -13,9 +13,9 @@ namespace
 using namespace units;
 using Json = nlohmann::ordered_json;
 
-const RigidBody::Motion &motion(const Simulation &simulation)
+RigidBody::Motion motion(const Simulation &simulation)
 {
-  return simulation.projectile().motion();
+  return simulation.present_motion();
 }
 
 /// Of the path against the plates, upwards is positive [deg].
@@ -76,13 +76,20 @@ double drift(const Vector3 &now, const Vector3 &start)
   return (now - start).norm() / start.norm();
 }
 
+Json max_depth(const RunEnd &end)
+{
+  if (end.verdict.exit_face == ExitFace::rear)
+    return nullptr;
+  return end.watch.max_depth() / mm;
+}
+
 using E = const RunEnd &;
 
 const std::vector<SummaryRow<RunEnd>> rows{
     {"title", "", [](E e) -> Json { return e.simulation.scene().title; }, "of the scene"},
     {"directory", "", [](E e) -> Json { return e.notes.directory; }, "of the results"},
     {"outcome", "", [](E e) -> Json { return name_of(e.verdict.outcome); },
-     "ricochet, perforate, edge, stuck or undecided"},
+     "ricochet, perforate, edge, pushed, stuck or undecided"},
     {"reason", "", [](E e) -> Json { return e.verdict.reason; }, "why the run ended"},
     {"exit_face", "", [](E e) -> Json { return name_of(e.verdict.exit_face); },
      "front, rear, edge or none"},
@@ -93,9 +100,13 @@ const std::vector<SummaryRow<RunEnd>> rows{
     {"exit_angle_deg", "deg", [](E e) -> Json { return climb(motion(e.simulation).velocity); },
      "of the velocity against the plates, upwards is positive"},
     {"pitch_deg", "deg", [](E e) -> Json { return e.simulation.projectile().pitch() / deg; },
-     "of the projectile's axis against the plates, nose up is positive"},
-    {"max_depth_mm", "mm", [](E e) -> Json { return e.watch.max_depth() / mm; },
-     "largest depth of the projectile's lowest point below the undeformed front face"},
+     "of the projectile's axis against the plates, seen from the side: nose up is positive, "
+     "counted "
+     "on beyond a quarter turn"},
+    {"max_depth_mm", "mm", [](E e) { return max_depth(e); },
+     "largest depth of the projectile's lowest point below the undeformed front face while it "
+     "touched "
+     "something; null after a perforation, which has none"},
     {"path_mm", "mm", [](E e) -> Json { return e.watch.path() / mm; },
      "length of the centroid's path"},
     {"contact_duration_us", "us", [](E e) -> Json { return e.watch.contact_duration() / us; },

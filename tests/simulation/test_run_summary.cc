@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/simulation/run_summary.h"
 
+#include "ricochet/simulation/observation.h"
 #include "support/small_scene.h"
 
 #include <gtest/gtest.h>
@@ -31,9 +32,9 @@ TEST(RunSummary, FieldsAreToldApartAndExplained)
 TEST(RunSummary, HasWhatTheListOfFieldsSays)
 {
   Simulation simulation(MPI_COMM_WORLD, two_plates());
-  OutcomeWatch watch(simulation);
+  OutcomeWatch watch = watch_of(simulation);
   simulation.compute_forces(true);
-  watch.update();
+  watch.update(observe(simulation));
   const Totals totals = totals_of(simulation);
   RunNotes notes;
   notes.start_momenta = simulation.momenta();
@@ -76,8 +77,8 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
 TEST(RunSummary, WithoutStatedTimesThereAreNoPositions)
 {
   Simulation simulation(MPI_COMM_WORLD, two_plates());
-  const OutcomeWatch watch(simulation);
-  const Json summary = run_summary({simulation, watch, {}, {}, {}}, {});
+  const OutcomeWatch watch = watch_of(simulation);
+  const Json summary       = run_summary({simulation, watch, {}, {}, {}}, {});
   EXPECT_FALSE(summary.contains("positions"));
 }
 } // namespace
