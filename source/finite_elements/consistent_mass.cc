@@ -90,7 +90,8 @@ void ConsistentMass::correct(std::vector<double> &force)
 void ConsistentMass::advance(const double kick)
 {
   for (std::size_t i = 0; i < momentum_.size(); ++i)
-    momentum_[i] += kick * uncorrected_force_[i];
+    if (lumped_.inverse[3 * nodes_[i / 3] + i % 3] > 0.) // what is held takes up no momentum
+      momentum_[i] += kick * uncorrected_force_[i];
 }
 
 /// result = (2 M_L - M_C) x, zero where components are held.

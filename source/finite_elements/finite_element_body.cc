@@ -181,6 +181,18 @@ double FiniteElementBody::squared_force() const
   return sum;
 }
 
+Vector3 FiniteElementBody::uncorrected_force(const int node) const
+{
+  if (consistent_mass_)
+  {
+    const auto &nodes = consistent_mass_->nodes(); // ascending
+    const auto found  = std::lower_bound(nodes.begin(), nodes.end(), node);
+    if (found != nodes.end() && *found == node)
+      return at(consistent_mass_->uncorrected_force(), static_cast<int>(found - nodes.begin()));
+  }
+  return at(force_, node);
+}
+
 Momenta FiniteElementBody::momenta() const
 {
   // Sums of many numbers, compared to the last bit by those who look for a drift.

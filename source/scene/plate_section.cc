@@ -19,12 +19,13 @@ struct PlateEntries
   std::array<std::array<double, 4>, 2> boxes = {};
   std::array<const Entry *, 2> box           = {};
   const Entry *size = nullptr, *spacing = nullptr, *horizon = nullptr, *material = nullptr,
-              *gap = nullptr, *absorbing = nullptr;
+              *gap = nullptr, *absorbing = nullptr, *clamp_width = nullptr;
 
   void read_zone_boxes() const;
   void check_edges() const;
   void check_horizon() const;
   void check_number_of_points() const;
+  void check_clamps() const;
   void check_gap() const;
   void check_material() const;
 };
@@ -96,6 +97,25 @@ void PlateEntries::check_number_of_points() const
                   "Choose a larger grid spacing.");
 }
 
+void PlateEntries::check_clamps() const
+{
+  const bool ends  = plate.clamped_sides == ClampedSides::ends,
+             sides = plate.clamped_sides == ClampedSides::sides,
+             all   = plate.clamped_sides == ClampedSides::all;
+  if (clamp_width->is_given() && !ends && !sides && !all)
+    clamp_width->fail("No edge of this plate is clamped.",
+                      "Choose 'set Clamped edges = all', 'ends' or 'sides', or leave this out.");
+  const double width = plate.held_width();
+  if (((ends || all) && 2. * width >= plate.length) ||
+      ((sides || all) && 2. * width >= plate.width))
+    (clamp_width->is_given() ? clamp_width : size)
+        ->fail("A frame of " + in_mm(width) + " leaves nothing of the plate free.",
+               "The width is to be below half the plate's length and width.");
+  if (plate.clamped_sides != ClampedSides::none && plate.absorbing_edges)
+    absorbing->fail("Edges that are clamped send waves back.",
+                    "Leave out one of 'Clamped edges' and 'Non-reflecting edges'.");
+}
+
 void PlateEntries::check_gap() const
 {
   if (&plate == &scene.plates.front() && plate.gap != 0.)
@@ -135,6 +155,23 @@ void add_zone_entries(Section &in, PlateEntries &rows)
       "Whether waves leave through the plate's side faces instead of coming back, as in a larger "
       "plate; finite elements must carry these faces");
 }
+
+/// What holds the plate.
+void add_support_entries(Section &in, PlateEntries &rows)
+{
+  in.with_default(
+      "Clamped edges",
+      choice(rows.plate.clamped_sides, Words<ClampedSides>{{ClampedSides::none, "none"},
+                                                           {ClampedSides::ends, "ends"},
+                                                           {ClampedSides::sides, "sides"},
+                                                           {ClampedSides::all, "all"}}),
+      "none",
+      "Which side faces are held: the ends of the flight, its sides, or all four; without "
+      "any the plate is free");
+  rows.clamp_width = &in.optional(
+      "Clamp width", quantity(rows.plate.clamp_width, Dimension::length, Limit::positive), "10 mm",
+      "Width of the frame that is held along the clamped edges; without it one horizon");
+}
 } // namespace
 
 unsigned int plate_number(const std::string &section)
@@ -172,6 +209,7 @@ Section plate_section(PlateParameters &plate, const unsigned int number, const S
   rows->gap = &in.with_default("Gap", quantity(plate.gap, Dimension::length, Limit::not_negative),
                                "0 mm", "Distance to the plate above; 0 for the first plate");
   add_zone_entries(in, *rows);
+  add_support_entries(in, *rows);
 
   in.check(
       [rows]
@@ -184,6 +222,7 @@ Section plate_section(PlateParameters &plate, const unsigned int number, const S
       [rows]
       {
         rows->check_edges();
+        rows->check_clamps();
         rows->check_gap();
         rows->check_material();
       });

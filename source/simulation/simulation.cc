@@ -29,14 +29,17 @@ Simulation::Simulation(const MPI_Comm communicator, const Scene &scene) :
 {
   build_projectile();
   build_contact();
+  build_supports();
   choose_time_step();
   std::vector<Body *> bodies;
   for (const auto &plate : plates_)
     bodies.push_back(plate.body.get());
   bodies.push_back(projectile_.get());
-  // Friction of the projectile comes last: it must know what else moves the points.
-  integrator_ = std::make_unique<Leapfrog>(
-      bodies, std::vector<Interaction *>{short_range_contact_.get(), projectile_contact_.get()});
+  // Friction of the projectile must know what else moves the points, supports what pulls at them.
+  std::vector<Interaction *> interactions{short_range_contact_.get(), projectile_contact_.get()};
+  for (const auto &support : supports_)
+    interactions.push_back(support.get());
+  integrator_ = std::make_unique<Leapfrog>(bodies, interactions);
 }
 
 const MaterialParameters &Simulation::material(const std::size_t plate) const
@@ -116,6 +119,27 @@ void Simulation::build_contact()
     friction = {friction_law_.get(), contact.debris_friction, contact.regularisation_speed};
   short_range_contact_ = std::make_unique<ShortRangeContact>(
       communicator_, plates(), contact.debris_factor, scene_.symmetric, contact.search, friction);
+}
+
+void Simulation::build_supports()
+{
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+  {
+    const auto &plate = scene_.plates[i];
+    if (plate.clamped_sides == ClampedSides::none)
+      continue;
+    auto *const elements = plates_[i].coupled ? &plates_[i].coupled->elements() : nullptr;
+    supports_.push_back(std::make_unique<ClampedEdges>(communicator_, *plates_[i].points, elements,
+                                                       plate.clamped_sides, plate.held_width()));
+  }
+}
+
+Vector3 Simulation::support_reaction() const
+{
+  Vector3 sum = Vector3::Zero();
+  for (const auto &support : supports_)
+    sum += support->reaction();
+  return sum;
 }
 
 void Simulation::choose_time_step()
@@ -225,6 +249,8 @@ MomentumBalance Simulation::momenta() const
   auto sum = projectile_->multiplicity() * projectile_->momenta();
   for (const auto &plate : plates_)
     sum += plate.body->multiplicity() * plate.body->momenta();
+  for (const auto &support : supports_)
+    sum += -1. * support->impulse();
   MomentumBalance m{sum.linear, sum.angular};
   if (scene_.symmetric)
     m.linear.y() = m.angular.x() = m.angular.z() = 0.;

@@ -136,6 +136,8 @@ public:
     return mass_.inverse[3 * node + component];
   }
 
+  /// Of an owned node, before correct_mass() [N].
+  Vector3 uncorrected_force(int node) const;
   /// f M_eff^-1 f over this rank's nodes, after correct_mass() [N^2/kg].
   double squared_force() const;
 

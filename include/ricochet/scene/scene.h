@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ricochet/contact/friction_laws.h"
+#include "ricochet/coupling/clamped_sides.h"
 #include "ricochet/coupling/coupling_method.h"
 #include "ricochet/geometry/body_of_revolution.h"
 #include "ricochet/geometry/hex_solid.h"
@@ -45,6 +46,11 @@ struct PlateParameters
   /// With ZoneKind::boxes: columns through the plate, x from and to, y from and to [m].
   std::vector<std::array<double, 4>> zone_boxes = {};
   bool absorbing_edges                          = false; // waves leave through the side faces
+  ClampedSides clamped_sides                    = ClampedSides::none;
+  double clamp_width                            = 0.; // [m]; 0: not given
+
+  /// Of the frame that is held along the clamped sides: one horizon unless given [m].
+  double held_width() const { return clamp_width > 0. ? clamp_width : horizon_ratio * spacing; }
 };
 
 /// Which part of the plates is peridynamic; finite elements carry the rest.

@@ -34,6 +34,7 @@ struct Moment
   const Totals &totals;         // now
   /// Of the projectile, velocities too.
   Projectile::Motion motion = simulation.present_motion();
+  Vector3 support           = simulation.support_reaction(); // force on the plates [N]
 };
 
 /// A column of history.csv and a dataset of history.h5. Whoever adds one writes this row and

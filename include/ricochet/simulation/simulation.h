@@ -5,6 +5,7 @@
 
 #include "ricochet/contact/short_range_contact.h"
 #include "ricochet/coupling/adaptive_plate.h"
+#include "ricochet/coupling/clamped_edges.h"
 #include "ricochet/dynamics/largest_frequency.h"
 #include "ricochet/dynamics/leapfrog.h"
 #include "ricochet/projectiles/projectile_contact.h"
@@ -64,7 +65,9 @@ public:
 
   /// Collective; after compute_forces(true), before advance().
   EnergyBalance energies() const;
-  /// Of the half step before the present time. Collective.
+  /// Force of all supports on the plates, after compute_forces() [N]. Collective.
+  Vector3 support_reaction() const;
+  /// Of the half step before the present time, with what supports have taken up. Collective.
   MomentumBalance momenta() const;
   double broken_bonds() const; // so far, each once, both halves; collective
   /// Box around the damaged points of a plate in the reference configuration, of the model as
@@ -100,6 +103,7 @@ private:
   void build_projectile();
   void refuse_overlap();
   void build_contact();
+  void build_supports();
   double contact_stiffness(const PeridynamicBody &plate) const; // [N/m]
   void choose_time_step();
   /// Of all plates, whose elastic force evaluations take so long [s].
@@ -112,6 +116,7 @@ private:
   std::unique_ptr<Projectile> projectile_;
   std::unique_ptr<ProjectileContact> projectile_contact_;
   std::unique_ptr<ShortRangeContact> short_range_contact_;
+  std::vector<std::unique_ptr<ClampedEdges>> supports_; // of the plates that have some
   std::unique_ptr<Leapfrog> integrator_;
   TimeStepInfo time_step_info_;
   std::vector<FrequencyEstimate> frequencies_;
