@@ -54,8 +54,10 @@ if [[ $what == test ]]; then
   exit
 fi
 
-# Open MPI counts cores, not hardware threads. More than 16 ranks gain nothing on so small a plate.
+# Hardware threads are no cores, and a container may have fewer than its machine. More than 16 ranks gain nothing on so
+# small a plate.
 real_cores=$(lscpu --parse=Core,Socket | grep -v '^#' | sort -u | wc -l)
-ranks=$((real_cores < 1 ? 1 : real_cores < 16 ? real_cores : 16))
+ranks=$((real_cores < cores ? real_cores : cores))
+ranks=$((ranks < 1 ? 1 : ranks < 16 ? ranks : 16))
 echo "== running prm/quickstart.prm on $ranks cores"
-mpirun -np "$ranks" --bind-to none build/ricochet run prm/quickstart.prm --force
+mpirun --oversubscribe --bind-to none -np "$ranks" build/ricochet run prm/quickstart.prm --force

@@ -6,7 +6,7 @@
 #include "ricochet/finite_elements/hexahedral_body.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
-#include "ricochet/projectiles/projectile.h"
+#include "ricochet/projectiles/projectile_mesh.h"
 #include "ricochet/scene/mesh_file.h"
 #include "ricochet/scene/scene_reader.h"
 
@@ -34,15 +34,21 @@ std::pair<double, double> quality_of(const HexSolid &solid)
   return {worst, mean};
 }
 
+/// The part of the projectile that the mesh is.
+double share_of(const HexSolid &solid)
+{
+  return is_half(solid) ? 0.5 : 1.;
+}
+
 void print_stable_step(const HexSolid &solid, const ProjectileParameters &projectile)
 {
   // Steel, if the scene says nothing else.
   const bool is_given  = projectile.youngs_modulus > 0.;
   const double E       = is_given ? projectile.youngs_modulus : 202. * GPa;
   const double nu      = is_given ? projectile.poissons_ratio : 0.3;
-  const double density = projectile.mass / volume(solid);
+  const double density = share_of(solid) * projectile.mass / volume(solid);
   HexahedralBody elastic(solid, {density, E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))},
-                         /*mirrored=*/false);
+                         /*mirrored=*/is_half(solid));
   const double step =
       2. / std::sqrt(largest_frequency(MPI_COMM_SELF, elastic, 60).squared_frequency);
   std::printf("stable step    %.4f us (E %.4g GPa, nu %.3f, %.0f kg/m3)\n", step / us, E / GPa, nu,
@@ -56,8 +62,9 @@ void print_mesh(const HexSolid &solid, const BodyOfRevolution &body)
               solid.cells.size(), solid.nodes.size(), surface_of(solid).size());
   std::printf("scaled Jacobian  smallest %.3f, mean %.3f (limit %.2f)\n", worst, mean,
               smallest_scaled_jacobian);
-  std::printf("volume         %.2f mm3, %+.2f %% against the shape\n",
-              volume(solid) / (mm * mm * mm), 100. * (volume(solid) / body.volume() - 1.));
+  std::printf("volume         %.2f mm3, %+.2f %% against the %s\n", volume(solid) / (mm * mm * mm),
+              100. * (volume(solid) / (share_of(solid) * body.volume()) - 1.),
+              is_half(solid) ? "half of the shape that it is" : "shape");
   std::printf("smallest edge  %.3f mm\n", smallest_edge(solid) / mm);
 }
 } // namespace
@@ -65,10 +72,9 @@ void print_mesh(const HexSolid &solid, const BodyOfRevolution &body)
 void mesh_projectile(const MPI_Comm communicator, const ParameterFile &file,
                      const MeshOptions &options)
 {
-  Scene scene     = read_scene(file);
-  scene.symmetric = false; // a file holds the whole body
+  const Scene scene = read_scene(file);
   const BodyOfRevolution body(scene.projectile.shape);
-  const HexSolid solid = projectile_mesh(scene);
+  const HexSolid solid = given_mesh(scene);
   on_first_rank(communicator,
                 [&]
                 {

@@ -12,6 +12,15 @@
 
 namespace ricochet
 {
+std::optional<int> launched_rank()
+{
+  // Open MPI's mpirun; srun and others by way of PMIx or PMI.
+  for (const char *name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (const char *const rank = std::getenv(name))
+      return std::atoi(rank);
+  return {};
+}
+
 int start_processes(const int n, const int argc, char **argv)
 {
   if (n < 2 || std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)

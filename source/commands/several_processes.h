@@ -3,8 +3,14 @@
 // under mpirun.
 #pragma once
 
+#include <optional>
+
 namespace ricochet
 {
+/// The rank that mpirun, or whatever else has started several processes, gives to this one, known
+/// before MPI is initialised; nothing if it was started alone.
+std::optional<int> launched_rank();
+
 constexpr int most_processes = 1024; // more is a slip of the finger
 
 /// If `n` > 1 and this process is not yet one of several, mpirun takes its place, with so many

@@ -157,6 +157,11 @@ BodyOfRevolution::Hit BodyOfRevolution::hit(const Vector3 &point) const
   return {inside ? -distance : distance, Vector3(n.x(), n.y() * c, n.y() * s), surface};
 }
 
+double BodyOfRevolution::radius(const double x) const
+{
+  return x < base_position() || x > tip_position() ? 0. : radius_at(x + centroid_);
+}
+
 std::vector<std::array<double, 2>> BodyOfRevolution::profile(const unsigned int n_nose) const
 {
   if (shape_.nose == NoseShape::sphere)

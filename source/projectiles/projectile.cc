@@ -3,14 +3,12 @@
 
 #include "finite_element_projectile.h"
 #include "peridynamic_projectile.h"
-#include "ricochet/base/exceptions.h"
-#include "ricochet/geometry/revolved_hexes.h"
+#include "ricochet/projectiles/projectile_mesh.h"
 #include "rigid_projectile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace ricochet
 {
@@ -50,52 +48,12 @@ double lowest_node(const HexSolid &mesh, const Eigen::Quaterniond &orientation)
     lowest = std::min(lowest, (orientation * X).z());
   return lowest;
 }
-
-/// Moves the base of a mesh to that of the shape and compares their extents.
-HexSolid fitted(HexSolid mesh, const BodyOfRevolution &body)
-{
-  Vector3 low = mesh.nodes[0], high = low;
-  for (const auto &x : mesh.nodes)
-  {
-    low  = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  const double length = body.shape().length, diameter = body.shape().diameter;
-  const double z             = std::max(std::abs(low.z()), std::abs(high.z())),
-               y             = std::max(std::abs(low.y()), std::abs(high.y()));
-  constexpr double tolerance = 0.06; // a coarse polygon instead of a circle
-  if (std::abs(high.x() - low.x() - length) > tolerance * length ||
-      std::abs(2. * z - diameter) > tolerance * diameter ||
-      std::abs(2. * y - diameter) > tolerance * diameter)
-  {
-    std::ostringstream message;
-    message << "The mesh of the projectile does not fit its shape: the mesh is "
-            << 1e3 * (high.x() - low.x()) << " mm long (x) and reaches " << 1e3 * y << " and "
-            << 1e3 * z << " mm from the axis (y, z); the shape is " << 1e3 * length
-            << " mm long with a radius of " << 500. * diameter
-            << " mm.\n  The axis of the mesh is the x axis, the tip at its upper end; set "
-               "'Projectile/Mesh unit', or correct the lengths.";
-    throw InputError(message.str());
-  }
-  for (auto &x : mesh.nodes)
-    x.x() += body.base_position() - low.x();
-  return mesh;
-}
 } // namespace
 
 void Projectile::follow_pitch()
 {
   const Vector3 axis = motion().orientation * Vector3::UnitX();
   pitch_ += std::remainder(std::atan2(axis.z(), axis.x()) - pitch_, 2. * M_PI);
-}
-
-HexSolid projectile_mesh(const Scene &scene)
-{
-  const auto &projectile = scene.projectile;
-  const BodyOfRevolution body(projectile.shape);
-  const HexSolid whole = projectile.mesh.cells.empty() ? revolved_hexes(body, projectile.refinement)
-                                                       : fitted(projectile.mesh, body);
-  return scene.symmetric ? upper_half(whole, 1e-6 * projectile.shape.diameter) : whole;
 }
 
 std::unique_ptr<Projectile> make_projectile(const MPI_Comm communicator, const Scene &scene,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/mesh_file.h"
 
+#include "gmsh_elements.h"
 #include "ricochet/base/exceptions.h"
 #include "text_tools.h"
 
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>
 
-#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -36,15 +36,24 @@ void check_format(const std::string &file, const std::string &text)
   std::string word, version;
   int is_binary = 1;
   in >> word >> version >> is_binary;
+  const std::string remedy = "\n  Save it as 'Version 2 ASCII', or set Mesh.MshFileVersion = 4.1 "
+                             "and Mesh.Binary = 0.";
   if (word != "$MeshFormat")
     throw InputError(file +
-                     ": This is not a gmsh mesh: it does not begin with $MeshFormat.\n  Save "
-                     "it as 'Version 2 ASCII' or 'Version 4 ASCII'.");
+                     ": This is no gmsh mesh of format 2.2 or 4.1: it does not begin with "
+                     "$MeshFormat." +
+                     remedy);
   if ((version != "2.2" && version != "4.1") || is_binary != 0)
     throw InputError(file + ": This is gmsh's format " + version +
-                     (is_binary ? " binary" : " ASCII") +
-                     "; 2.2 and 4.1 ASCII can be read.\n  Save it as 'Version 2 ASCII', or set "
-                     "Mesh.MshFileVersion = 4.1 and Mesh.Binary = 0.");
+                     (is_binary ? " binary" : " ASCII") + "; 2.2 and 4.1 ASCII can be read." +
+                     remedy);
+  if (text.find("$EndElements") == std::string::npos)
+    throw InputError(file + ": The mesh cannot be used: it breaks off, $EndElements is "
+                            "missing.\n  Save it again.");
+  if (has_parametric_nodes(text))
+    throw InputError(file +
+                     ": The nodes of the mesh carry parameters on curves and surfaces, which "
+                     "cannot be read.\n  Set Mesh.SaveParametric = 0.");
 }
 
 /// Reads the text into the mesh; file: its name, for errors.
@@ -62,20 +71,12 @@ void read_hexahedra(const std::string &file, const std::string &text,
   {
     std::ostringstream info;
     error.print_info(info);
-    problem = info.str();
-    std::replace(problem.begin(), problem.end(), '\n', ' ');
+    problem = squeezed(info.str());
     problem = problem.empty() ? std::string("it is damaged") : problem;
   }
   if (!problem.empty())
     throw InputError(file + ": The mesh cannot be used: " + problem +
                      "\n  It must hold the hexahedra of one body, in one physical volume.");
-  if (mesh.n_active_cells() == 0)
-    throw InputError(file + ": The mesh holds no volume elements.\n  Mesh the volume with "
-                            "hexahedra and put it into a physical volume.");
-  if (!mesh.all_reference_cells_are_hyper_cube())
-    throw InputError(file +
-                     ": The mesh holds tetrahedra or wedges; only hexahedra can be used.\n  Mesh "
-                     "with transfinite surfaces and 'Recombine'.");
 }
 
 /// Nodes in the order in which cells come upon them.
@@ -123,6 +124,7 @@ HexSolid read_mesh(const std::filesystem::path &path, const double unit)
 {
   const std::string file = path.string(), text = contents(path);
   check_format(file, text);
+  require_hexahedra(file, count_elements(text));
   dealii::Triangulation<3> mesh;
   read_hexahedra(file, text, mesh);
   HexSolid solid = solid_of(mesh, unit);

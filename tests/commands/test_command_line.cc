@@ -49,13 +49,25 @@ TEST(CommandLine, ProcessesAreAskedForByTheSearchAlone)
   EXPECT_EQ(chosen(Parsed("run a.prm").commands).n_processes(), 1);
 }
 
-TEST(CommandLine, ColumnsArePrinted)
+TEST(CommandLine, TextsAreWrittenWithoutACommunicator)
 {
-  const Parsed parsed("columns --json");
-  ::testing::internal::CaptureStdout();
-  EXPECT_EQ(chosen(parsed.commands).execute(MPI_COMM_SELF), 0);
-  const auto all = nlohmann::json::parse(::testing::internal::GetCapturedStdout());
-  EXPECT_EQ(all["history"][0]["name"], "time");
+  const auto text_of = [](const char *line)
+  {
+    const Parsed parsed(line);
+    EXPECT_FALSE(chosen(parsed.commands).execute) << line;
+    std::ostringstream text;
+    chosen(parsed.commands).write(text);
+    return text.str();
+  };
+  EXPECT_EQ(nlohmann::json::parse(text_of("columns --json"))["history"][0]["name"], "time");
+  EXPECT_TRUE(contains(text_of("columns"), "time"));
+  EXPECT_TRUE(contains(text_of("template"), "subsection Projectile"));
+  EXPECT_FALSE(nlohmann::json::parse(text_of("template --json")).empty());
+  for (const char *line : {"run a.prm", "check a.prm", "mesh a.prm", "study a.prm", "bench kernel"})
+  {
+    const Parsed parsed(line);
+    EXPECT_TRUE(chosen(parsed.commands).execute && !chosen(parsed.commands).write) << line;
+  }
 }
 
 TEST(CommandLine, MissingFileIsAFileError)
@@ -75,6 +87,18 @@ TEST(SeveralProcesses, AreNotStartedTwiceNorForOne)
   EXPECT_EQ(start_processes(1, 1, argv), 0);
   const Variable one_of_several("OMPI_COMM_WORLD_SIZE", "4");
   EXPECT_EQ(start_processes(4, 1, argv), 0);
+}
+
+TEST(SeveralProcesses, KnowTheirRankBeforeMpiStarts)
+{
+  if (launched_rank())
+    GTEST_SKIP() << "is one of several already";
+  for (const char *name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+  {
+    const Variable rank(name, "3");
+    EXPECT_EQ(launched_rank(), 3) << name;
+  }
+  EXPECT_FALSE(launched_rank());
 }
 
 TEST(SeveralProcesses, WithoutMpirunSayWhatIsMissing)

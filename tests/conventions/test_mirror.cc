@@ -52,6 +52,7 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"geometry/revolved_hexes", "geometry/test_hex_solid"},
     {"output/section_writer", "output/test_field_writer"},
     {"peridynamics/peridynamic_vibration", "dynamics/test_largest_frequency"},
+    {"projectiles/accepted_shape", "projectiles/test_mesh_fit"},
     // All three models of the projectile, in whole impacts.
     {"projectiles/deformable_projectile", "projectiles/test_finite_element_projectile"},
     {"projectiles/peridynamic_projectile", "projectiles/test_finite_element_projectile"},

@@ -200,6 +200,19 @@ TEST_P(Body, VolumeCentroidAndInertiaAreThoseOfASampling)
   EXPECT_NEAR(body.gyration_squared()[1] / (fourth / V / 4. + second / V - c * c), 1., 1e-6);
 }
 
+TEST_P(Body, RadiusIsThatOfTheDefinitionAndZeroOutside)
+{
+  const BodyOfRevolution body(GetParam().shape);
+  const double length = body.tip_position() - body.base_position();
+  for (int i = 1; i < 200; ++i)
+  {
+    const double x = length * i / 200.;
+    EXPECT_NEAR(body.radius(body.base_position() + x), radius(GetParam().shape, x), 1e-12);
+  }
+  EXPECT_EQ(body.radius(body.base_position() - 1e-6), 0.);
+  EXPECT_EQ(body.radius(body.tip_position() + 1e-6), 0.);
+}
+
 TEST_P(Body, ProfileRunsAlongTheSurfaceFromTheBaseToTheTip)
 {
   const BodyOfRevolution body(GetParam().shape);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Whole impacts with a deformable projectile: of finite elements, of peridynamic points, of both.
 #include "projectiles/finite_element_projectile.h"
-#include "ricochet/base/exceptions.h"
-#include "ricochet/geometry/revolved_hexes.h"
 #include "support/small_scene.h"
 
 #include <gtest/gtest.h>
@@ -169,26 +167,6 @@ TEST(FiniteElementProjectile, SurfaceIsClosedAndItsOutlineGoesAroundTheBody)
     for (std::size_t i = 0; i + 1 < profile.size(); ++i)
       expected += (profile[i + 1][0] - profile[i][0]) * (profile[i + 1][1] + profile[i][1]);
     EXPECT_NEAR(area, expected, 0.03 * expected); // corners stand out from the shape
-  }
-}
-
-TEST(FiniteElementProjectile, MeshThatDoesNotFitTheShapeIsRefused)
-{
-  Scene scene           = deformable(symmetric(small_scene()));
-  scene.projectile.mesh = revolved_hexes(BodyOfRevolution(scene.projectile.shape), 1);
-  for (auto &x : scene.projectile.mesh.nodes)
-    x.x() += 0.2; // its place along the axis is free
-  EXPECT_NO_THROW(projectile_mesh(scene));
-  for (auto &x : scene.projectile.mesh.nodes)
-    x *= 1000.; // millimetres taken for metres
-  try
-  {
-    projectile_mesh(scene);
-    FAIL() << "no error";
-  }
-  catch (const InputError &error)
-  {
-    EXPECT_NE(std::string(error.what()).find("Mesh unit"), std::string::npos) << error.what();
   }
 }
 } // namespace

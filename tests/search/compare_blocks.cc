@@ -2,7 +2,7 @@
 // How the hybrid search would balance with blocks by Zoltan's recursive coordinate bisection
 // instead of equal boxes (doc/contact_search.md). Not a test; built by `ninja compare_blocks`:
 //
-//   mpirun -np 3 build/tests/compare_blocks POINTS random|debris
+//   mpirun --oversubscribe --bind-to none -np 3 build/tests/compare_blocks POINTS random|debris
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/search/hybrid_search.h"
 #include "support/random.h"

@@ -65,6 +65,10 @@ public:
   /// transverse [m^2].
   std::array<double, 2> gyration_squared() const { return {axial_, transverse_}; }
 
+  /// Radius of the surface at an axial position from the centroid [m]; 0 before the base and behind
+  /// the tip.
+  double radius(double x) const;
+
   /// The generating line from base centre to tip: axial position from the centroid and radius [m],
   /// n_nose points along the nose.
   std::vector<std::array<double, 2>> profile(unsigned int n_nose = 24) const;

@@ -74,8 +74,4 @@ struct PlateContact
 std::unique_ptr<Projectile> make_projectile(MPI_Comm communicator, const Scene &scene,
                                             const FrictionLaw &law,
                                             const std::vector<PlateContact> &plates);
-
-/// The mesh of a deformable projectile in body axes: the scene's own or the generated one, its half
-/// y > 0 in a symmetric scene. Throws InputError if it does not fit the shape.
-HexSolid projectile_mesh(const Scene &scene);
 } // namespace ricochet

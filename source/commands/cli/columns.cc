@@ -2,9 +2,6 @@
 #include "columns.h"
 
 #include "cli/command.h"
-#include "ricochet/base/mpi_tools.h"
-
-#include <iostream>
 
 namespace ricochet
 {
@@ -14,11 +11,6 @@ Command declare_columns(CLI::App &app)
   auto *command   = app.add_subcommand(
         "columns", "print what stands in history.csv and summary.json, with units and meaning");
   command->add_flag("--json", *json, "one JSON object");
-  return {command, [json](const MPI_Comm communicator)
-          {
-            if (rank_in(communicator) == 0)
-              print_columns(std::cout, *json);
-            return 0;
-          }};
+  return {command, nullptr, [json](std::ostream &out) { print_columns(out, *json); }};
 }
 } // namespace ricochet

@@ -11,14 +11,17 @@
 
 namespace ricochet
 {
+/// Has either `execute` or `write`, which are called with the options that have been parsed and
+/// throw the exceptions of base/exceptions.h.
 struct Command
 {
   CLI::App *app; // its part of the command line
-  /// With the options that have been parsed; returns the exit status. Collective; throws the
-  /// exceptions of base/exceptions.h.
-  std::function<int(MPI_Comm)> execute;
+  /// Collective; returns the exit status.
+  std::function<int(MPI_Comm)> execute      = nullptr;
+  /// Of a command that does nothing but write a text, and does so also where MPI cannot start.
+  std::function<void(std::ostream &)> write = nullptr;
   /// How many processes it asks for.
-  std::function<int()> n_processes = [] { return 1; };
+  std::function<int()> n_processes          = [] { return 1; };
 };
 
 Command declare_run(CLI::App &app);
