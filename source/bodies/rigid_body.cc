@@ -48,8 +48,11 @@ void RigidBody::restrict(Vector3 &linear, Vector3 &angular) const
 void RigidBody::advance(const Vector3 &force, const Vector3 &moment, const double kick,
                         const double drift)
 {
-  motion_.velocity += kick / mass_ * force;
-  angular_momentum_ += kick * moment;
+  if (!driven_)
+  {
+    motion_.velocity += kick / mass_ * force;
+    angular_momentum_ += kick * moment;
+  }
   restrict(motion_.velocity, angular_momentum_);
   const Eigen::Quaterniond half =
       rotation(drift / 2. * spin_from_momentum(motion_.orientation, angular_momentum_)) *
@@ -62,6 +65,8 @@ void RigidBody::advance(const Vector3 &force, const Vector3 &moment, const doubl
 RigidBody::Motion RigidBody::present_motion(const Vector3 &force, const Vector3 &moment,
                                             const double kick) const
 {
+  if (driven_)
+    return motion_;
   Motion present           = motion_;
   Vector3 angular_momentum = angular_momentum_ + kick / 2. * moment;
   present.velocity += kick / 2. / mass_ * force;
@@ -72,7 +77,9 @@ RigidBody::Motion RigidBody::present_motion(const Vector3 &force, const Vector3 
 
 Matrix6 RigidBody::root_of_mobility() const
 {
-  Matrix6 root               = Matrix6::Zero();
+  Matrix6 root = Matrix6::Zero();
+  if (driven_)
+    return root;
   root.topLeftCorner<3, 3>() = Eigen::Matrix3d::Identity() / std::sqrt(mass_);
   root.bottomRightCorner<3, 3>() =
       motion_.orientation.toRotationMatrix() * inertia().cwiseSqrt().cwiseInverse().asDiagonal();

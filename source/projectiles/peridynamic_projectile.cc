@@ -117,65 +117,66 @@ std::string PeridynamicProjectile::parts() const
 void PeridynamicProjectile::build_skin(const std::vector<Vector3> &nodes,
                                        const std::vector<int> &mesh_nodes)
 {
-  const double spacing = body_->spacing();
   skin_position_.assign(3 * nodes.size(), 0.);
   skin_velocity_ = skin_force_ = skin_position_;
   skin_mobility_.assign(nodes.size(), 0.);
   for (const auto &node : nodes)
     on_plane_.push_back(mirrored_ && node.y() == 0.);
-  const auto &points = body_->points();
   for (std::size_t node = 0; node < nodes.size(); ++node)
   {
+    const auto number = static_cast<int>(node);
     if (const int own = body_->mass_point_of(mesh_nodes[node]); own >= 0)
     {
-      skin_.push_back({static_cast<int>(node), own, false, 1.});
+      skin_.push_back({number, own, false, 1.});
       continue;
     }
     // The smallest neighbourhood that tells a linear motion well: at a sharp tip the points end
     // before the skin does.
-    for (double range = 2.; skin_.empty() || skin_.back().node != static_cast<int>(node);
-         range += 0.5)
-    {
+    for (double range = 2.; !follow_points(number, nodes[node], range); range += 0.5)
       if (range > 10.)
         throw InputError("The points of the projectile do not reach its surface.\n  Lower "
                          "'Projectile/Grid spacing'.");
-      std::vector<std::pair<int, bool>> around; // points, their images
-      std::vector<double> weights;
-      std::vector<Eigen::Vector4d> base;
-      Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
-      double total            = 0.;
-      for (std::size_t p = 0; p < points.size(); ++p)
-        for (const bool image : {false, true})
-        {
-          if (image && !mirrored_)
-            continue;
-          Vector3 arm = points[p].reference;
-          if (image)
-            arm.y() = -arm.y();
-          arm               = (arm - nodes[node]) / spacing;
-          const double away = arm.norm() / range;
-          if (away >= 1.)
-            continue;
-          const double q = (1. - away) * (1. - away);
-          base.emplace_back(1., arm[0], arm[1], arm[2]);
-          around.emplace_back(static_cast<int>(p), image);
-          weights.push_back(q);
-          moments += q * base.back() * base.back().transpose();
-          total += q;
-        }
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(moments);
-      if (around.size() < 8 || solver.eigenvalues()[0] < 0.02 * total)
-        continue;
-      const Eigen::Vector4d coefficients = moments.ldlt().solve(Eigen::Vector4d::Unit(0));
-      for (std::size_t i = 0; i < around.size(); ++i)
-      {
-        weights[i] *= coefficients.dot(base[i]);
-        for (const auto &[mass_point, share] : points[around[i].first].follows)
-          skin_.push_back(
-              {static_cast<int>(node), mass_point, around[i].second, share * weights[i]});
-      }
-    }
   }
+}
+
+/// Moving least squares over the points within `range` spacings of a node at `place`: the node
+/// follows them if they tell a linear motion. Returns whether they do.
+bool PeridynamicProjectile::follow_points(const int node, const Vector3 &place, const double range)
+{
+  const auto &points = body_->points();
+  std::vector<std::pair<int, bool>> around; // points, their images
+  std::vector<double> weights;
+  std::vector<Eigen::Vector4d> base;
+  Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
+  double total            = 0.;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (const bool image : {false, true})
+    {
+      if (image && !mirrored_)
+        continue;
+      Vector3 arm = points[p].reference;
+      if (image)
+        arm.y() = -arm.y();
+      arm               = (arm - place) / body_->spacing();
+      const double away = arm.norm() / range;
+      if (away >= 1.)
+        continue;
+      const double q = (1. - away) * (1. - away);
+      base.emplace_back(1., arm[0], arm[1], arm[2]);
+      around.emplace_back(static_cast<int>(p), image);
+      weights.push_back(q);
+      moments += q * base.back() * base.back().transpose();
+      total += q;
+    }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(moments);
+  if (around.size() < 8 || solver.eigenvalues()[0] < 0.02 * total)
+    return false;
+  const Eigen::Vector4d coefficients = moments.ldlt().solve(Eigen::Vector4d::Unit(0));
+  for (std::size_t i = 0; i < around.size(); ++i)
+    for (const auto &[mass_point, share] : points[around[i].first].follows)
+      skin_.push_back(
+          {node, mass_point, around[i].second, share * (weights[i] * coefficients.dot(base[i]))});
+  return true;
 }
 
 void PeridynamicProjectile::place(const Motion &start)

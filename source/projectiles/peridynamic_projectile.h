@@ -51,6 +51,7 @@ private:
   Motion nearest_motion(double kick) const override;
 
   void build_skin(const std::vector<Vector3> &nodes, const std::vector<int> &mesh_nodes);
+  bool follow_points(int node, const Vector3 &place, double range);
   void place(const Motion &start);
   double bound_contact();
   /// The skin's nodes, three numbers each, take over a quantity of the mass points.

@@ -12,6 +12,8 @@ RigidProjectile::RigidProjectile(const MPI_Comm communicator, const Scene &scene
   Projectile(BodyOfRevolution(scene.projectile.shape), scene.projectile.mass),
   rigid_(body(), mass(), start, scene.symmetric)
 {
+  if (scene.projectile.driven)
+    rigid_.drive();
   for (const auto &plate : plates)
     contacts_.emplace_back(communicator, law, plate.parameters, scene.symmetric, plate.n_planes);
   follow_pitch();
@@ -40,12 +42,25 @@ RigidProjectile::add_contact_forces(const std::vector<PeridynamicBody *> &plates
 void RigidProjectile::advance(const double kick, const double drift)
 {
   const Vector3 velocity = rigid_.motion().velocity, spin = rigid_.motion().spin;
+  if (rigid_.is_driven())
+  {
+    drive_work_ += drive_work(kick);
+    drive_impulse_.linear -= kick * load_.force();
+    drive_impulse_.angular -= kick * (rigid_.motion().position.cross(load_.force()) + load_.moment);
+  }
   rigid_.advance(load_.force(), load_.moment, kick, drift);
   const auto &after = rigid_.motion();
   work_ += 0.5 * kick *
            ((load_.friction + load_.shank).dot(velocity + after.velocity) +
             load_.friction_moment.dot(spin + after.spin));
   follow_pitch();
+}
+
+/// What it takes to hold against the loads for so long [s], [J].
+double RigidProjectile::drive_work(const double time) const
+{
+  const auto &motion = rigid_.motion();
+  return -time * (load_.force().dot(motion.velocity) + load_.moment.dot(motion.spin));
 }
 
 void RigidProjectile::record_work(const double dt)
@@ -58,17 +73,23 @@ Energies RigidProjectile::energies(const double dt) const
 {
   // v- . v+ instead of v . v: for a linear system the leapfrog scheme conserves this sum exactly.
   const auto &motion  = rigid_.motion();
-  const Vector3 after = motion.velocity + dt / mass() * load_.force();
+  const double kick   = rigid_.is_driven() ? 0. : dt;
+  const Vector3 after = motion.velocity + kick / mass() * load_.force();
   Energies energies;
   energies.kinetic = 0.5 * mass() * motion.velocity.dot(after) +
-                     0.5 * motion.spin.dot(rigid_.angular_momentum() + dt * load_.moment);
+                     0.5 * motion.spin.dot(rigid_.angular_momentum() + kick * load_.moment);
+  // Half of the coming step's work belongs to the present time, as half of its kick does.
+  if (rigid_.is_driven())
+    energies.drive = drive_work_ + drive_work(dt / 2.);
   return energies;
 }
 
 Momenta RigidProjectile::momenta() const
 {
   const Vector3 p = mass() * rigid_.motion().velocity;
-  return {p, rigid_.motion().position.cross(p) + rigid_.angular_momentum()};
+  Momenta momenta{p, rigid_.motion().position.cross(p) + rigid_.angular_momentum()};
+  momenta += -1. * drive_impulse_;
+  return momenta;
 }
 
 std::string RigidProjectile::first_not_finite() const

@@ -27,6 +27,7 @@ public:
   void compute_internal_forces(const ForceRequest &) override { load_ = {}; }
   void advance(double kick, double drift) override;
   Energies energies(double dt) const override;
+  /// With what a drive has taken up.
   Momenta momenta() const override;
   std::unique_ptr<Vibration> vibration() override { return nullptr; }
   std::string first_not_finite() const override;
@@ -36,9 +37,14 @@ public:
   double seconds_per_step() const override { return 0.; }
 
 private:
+  double drive_work(double time) const;
+
   RigidBody rigid_;
   std::vector<RigidContact> contacts_; // per plate
   ContactRecord load_;                 // of all plates
-  double work_ = 0.;                   // of friction on the body [J]
+  double work_       = 0.;             // of friction on the body [J]
+  // By what keeps a driven one going, so far:
+  double drive_work_ = 0.; // [J]
+  Momenta drive_impulse_;
 };
 } // namespace ricochet

@@ -35,7 +35,7 @@ struct ProjectileEntries
   double refinement = 0., mesh_unit = 0.;   // [-], [m]
   std::string mesh_file = {};
   const Entry *nose = nullptr, *length = nullptr, *nose_length = nullptr, *crh = nullptr,
-              *mass = nullptr, *model = nullptr, *poissons_ratio = nullptr,
+              *mass = nullptr, *model = nullptr, *driven = nullptr, *poissons_ratio = nullptr,
               *peridynamic_length = nullptr, *refined = nullptr, *mesh = nullptr;
 
   void check_lengths() const;
@@ -137,6 +137,9 @@ void ProjectileEntries::check_deformable() const
                              "Remove the entry, or choose 'Model = peridynamic nose'.");
   if (projectile.model == ProjectileModel::rigid)
     return;
+  if (projectile.driven)
+    driven->fail("A projectile that is " + in_quotes(model->text()) + " goes where its parts go.",
+                 "Choose 'Model = rigid', or leave this entry out.");
   if (projectile.model == ProjectileModel::peridynamic_nose)
     read_peridynamic_length();
   if (!(projectile.poissons_ratio < 0.5))
@@ -182,10 +185,13 @@ void add_shape_entries(Section &in, ProjectileEntries &rows)
 
 void add_material_entries(Section &in, ProjectileEntries &rows)
 {
-  auto &projectile       = rows.projectile;
-  rows.model             = &in.with_default("Model", choice(projectile.model, models), "rigid",
-                                            "Whether it deforms; all but the first are elastic and "
-                                                        "cost time steps");
+  auto &projectile = rows.projectile;
+  rows.model       = &in.with_default("Model", choice(projectile.model, models), "rigid",
+                                      "Whether it deforms; all but the first are elastic and "
+                                            "cost time steps");
+  rows.driven      = &in.with_default(
+           "Prescribed velocity", flag(projectile.driven), "false",
+           "Whether it keeps its velocity whatever it meets, like a tool; for a rigid one");
   const Entry &stiffness = in.optional(
       "Young's modulus", quantity(projectile.youngs_modulus, Dimension::stress, Limit::positive),
       "202 GPa", "Of a deformable projectile, together with Poisson's ratio");

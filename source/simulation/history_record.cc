@@ -97,8 +97,11 @@ const std::vector<HistoryColumn> columns{
      "turned into heat by relaxation"},
     {"energy absorbed", "J", [](M m) { return m.totals.energies.absorbed; },
      "has left through edges that do not reflect"},
+    {"work drive", "J", [](M m) { return m.totals.energies.drive; },
+     "received from what keeps a projectile of prescribed velocity going"},
     {"energy residual", "J", [](M m) { return m.totals.energies.residual(); },
-     "initial energy minus all of the above: what the balance does not account for"},
+     "initial energy plus the work of the drive minus all else of the above: what the balance does "
+     "not account for"},
     {"residual relative", "-", [](M m) { return m.totals.relative_residual(); },
      "the same as a share of the initial energy"},
     {"broken bonds", "-", [](M m) { return m.totals.broken_bonds; },

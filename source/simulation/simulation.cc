@@ -226,6 +226,7 @@ EnergyBalance Simulation::energies() const
   e.initial             = initial_energy_;
   const auto projectile = projectile_->multiplicity() * projectile_->energies(dt_);
   e.projectile          = projectile.kinetic;
+  e.drive               = projectile.drive;
   e.elastic             = projectile.strain + projectile.hourglass;
   e.contact             = projectile_contact_->energy();
   e.debris              = short_range_contact_->energy();

@@ -78,5 +78,31 @@ TEST(RigidProjectile, SaysWhenItsPositionIsLost)
   lost.position.x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(flyer.at(lost).first_not_finite(), "");
 }
+
+TEST(RigidProjectile, OfPrescribedVelocityKeepsItAndTheBalancesKnow)
+{
+  Scene scene             = small_scene();
+  scene.projectile.driven = true;
+  Simulation simulation(MPI_COMM_SELF, scene);
+  const auto start = simulation.momenta();
+  const Vector3 v  = simulation.projectile().motion().velocity;
+  for (int step = 0; step < 120; ++step)
+  {
+    simulation.compute_forces(false);
+    simulation.advance();
+  }
+  simulation.compute_forces(true);
+  const auto energies = simulation.energies();
+  EXPECT_EQ(simulation.projectile().motion().velocity, v);
+  EXPECT_EQ(simulation.present_motion().spin.norm(), 0.);
+  EXPECT_EQ(energies.projectile, energies.initial);
+  EXPECT_GT(energies.drive, 0.05 * energies.initial);
+  EXPECT_LT(std::abs(energies.residual()), 0.01 * energies.drive);
+  EXPECT_GT(energies.friction, 0.);
+  const auto now = simulation.momenta();
+  EXPECT_LT((now.linear - start.linear).norm(), 1e-12 * start.linear.norm());
+  EXPECT_LT((now.angular - start.angular).norm(),
+            1e-3 * start.angular.norm()); // debris: doc/theory.md
+}
 } // namespace
 } // namespace ricochet::tests

@@ -24,6 +24,7 @@ struct Energies
   double viscous    = 0.; // turned into heat by relaxation so far
   double absorbed   = 0.; // by edges that do not reflect, so far
   double conversion = 0.; // lost so far where elements became points
+  double drive      = 0.; // received so far from what prescribes a motion
 
   /// Entry by entry.
   Energies &operator+=(const Energies &other);

@@ -28,6 +28,10 @@ public:
   /// `mass` in kg, > 0. `planar`: motion in the plane y = 0 only.
   RigidBody(const BodyOfRevolution &body, double mass, const Motion &start, bool planar);
 
+  /// From now on it keeps its velocity and angular momentum, whatever acts on it.
+  void drive() { driven_ = true; }
+  bool is_driven() const { return driven_; } // see drive()
+
   /// Kick then drift: force [N] and moment about the centroid [N m], dt in s. The spin of the half
   /// step is found from the angular momentum with the orientation of the half step, so that
   /// torque-free motion keeps the momentum exactly and the energy to second order in dt.
@@ -37,7 +41,7 @@ public:
   /// on. Arguments as for advance().
   Motion present_motion(const Vector3 &force, const Vector3 &moment, double kick) const;
   /// L with L L^T = the change of velocity and spin by an impulse and its moment about the centroid
-  /// [kg^-1/2, kg^-1/2 m^-1]; without what a planar motion may not do.
+  /// [kg^-1/2, kg^-1/2 m^-1]; without what a planar motion may not do; zero if driven.
   Matrix6 root_of_mobility() const;
 
   const BodyOfRevolution &body() const { return body_; }                  // its shape
@@ -66,7 +70,7 @@ private:
 
   BodyOfRevolution body_;
   double mass_;
-  bool planar_;
+  bool planar_, driven_ = false;
   Motion motion_;
   Vector3 angular_momentum_;
 };

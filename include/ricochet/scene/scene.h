@@ -90,15 +90,16 @@ enum class ProjectileModel
 /// Of the section 'Projectile'.
 struct ProjectileParameters
 {
-  BodyOfRevolution::Shape shape; // undeformed
-  double mass;                   // [kg], of the whole projectile
-  // Of a deformable one:
+  BodyOfRevolution::Shape shape;                      // undeformed
+  double mass;                                        // [kg], of the whole projectile
   ProjectileModel model     = ProjectileModel::rigid; // what it is computed as
-  double youngs_modulus     = 0.;                     // [Pa]
-  double poissons_ratio     = 0.;                     // [-]
-  double spacing            = 0.;                     // dx of the points of a peridynamic one [m]
-  double peridynamic_length = 0.;                     // of a peridynamic nose, from the tip [m]
-  int refinement            = 2;                      // of the generated mesh, from 1
+  bool driven               = false; // keeps its velocity whatever it meets; rigid ones only
+  // Of a deformable one:
+  double youngs_modulus     = 0.; // [Pa]
+  double poissons_ratio     = 0.; // [-]
+  double spacing            = 0.; // dx of the points of a peridynamic one [m]
+  double peridynamic_length = 0.; // of a peridynamic nose, from the tip [m]
+  int refinement            = 2;  // of the generated mesh, from 1
   HexSolid mesh = {}; // read from a file, axis along x; no cells: generated from the shape
 };
 

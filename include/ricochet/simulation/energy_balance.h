@@ -24,12 +24,13 @@ struct EnergyBalance
   double viscous         = 0.; // turned into heat by relaxation
   double absorbed        = 0.; // by edges that do not reflect
   double debris_friction = 0.; // turned into heat between plates and in debris
+  double drive           = 0.; // received from what prescribes the projectile's motion
 
   /// What the balance does not account for [J].
   double residual() const
   {
-    return initial - projectile - elastic - kinetic - strain - hourglass - conversion - contact -
-           debris - friction - debris_friction - fracture - viscous - absorbed;
+    return initial + drive - projectile - elastic - kinetic - strain - hourglass - conversion -
+           contact - debris - friction - debris_friction - fracture - viscous - absorbed;
   }
 };
 

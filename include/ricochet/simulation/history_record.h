@@ -15,10 +15,11 @@ struct Totals
   EnergyBalance energies{}; // [J]
   double broken_bonds = 0.; // so far, each once [-]
 
-  /// An energy as a share of all there was at the start [-].
+  /// An energy as a share of all that there was at the start and that a drive has brought [-].
   double share(const double energy) const
   {
-    return energies.initial > 0. ? energy / energies.initial : 0.;
+    const double all = energies.initial + energies.drive;
+    return all > 0. ? energy / all : 0.;
   }
   /// What the balance does not account for, as such a share [-].
   double relative_residual() const { return share(energies.residual()); }
