@@ -172,12 +172,13 @@ private:
                   simulation_.elements());
   }
 
-  /// Directed bonds per second of wall time, all ranks [1/s].
+  /// Directed bonds evaluated per second of wall time, all ranks [1/s].
   double bond_rate() const
   {
     const double elapsed =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    return 2. * notes_.n_bonds * simulation_.step() / std::max(elapsed, 1e-9);
+    return 2. * simulation_.computed_share() * notes_.n_bonds * simulation_.step() /
+           std::max(elapsed, 1e-9);
   }
 
   void show(Progress &progress) const

@@ -119,17 +119,16 @@ const std::vector<SummaryRow<RunEnd>> rows{
     {"on_elements_us", "us", [](E e) -> Json { return in_us_or_null(e.notes.on_elements_since); },
      "when the projectile first touched finite elements, which do not break; null: never"},
     {"broken_bonds", "-", [](E e) -> Json { return std::llround(e.totals.broken_bonds); },
-     "each counted once, both halves of a symmetric scene, at the last record"},
+     "each counted once, at the last record"},
     {"damaged_boxes_mm", "mm", [](E e) { return damaged_boxes(e.simulation); },
      "per plate the box around the damaged points in the reference configuration: x from and to, "
-     "y, "
-     "z; empty if there are none"},
+     "y, z; empty if there are none"},
     {"zones", "", [](E e) { return zone_summary(e.simulation, e.notes.interfaces); },
      "per plate, see below"},
     {"points", "-", [](E e) -> Json { return std::llround(e.notes.n_points); },
-     "peridynamic points as computed, of one half in a symmetric scene"},
+     "peridynamic points at the start, those that follow elements included"},
     {"bonds", "-", [](E e) -> Json { return std::llround(e.notes.n_bonds); },
-     "of the sound plates as computed, of one half in a symmetric scene"},
+     "of the sound plates at the start, each counted once"},
     {"steps", "-", [](E e) -> Json { return e.simulation.step(); }, "made"},
     {"time_step_us", "us", [](E e) -> Json { return e.simulation.dt() / us; }, "of the run"},
     {"ranks", "-", [](E e) -> Json { return e.notes.n_ranks; }, "MPI processes"},
@@ -139,7 +138,8 @@ const std::vector<SummaryRow<RunEnd>> rows{
     {"core_seconds", "s", [](E e) -> Json { return e.notes.core_seconds; },
      "processor time of all ranks"},
     {"bond_rate_per_core", "1/s", [](E e) -> Json { return e.notes.bond_rate / e.notes.n_ranks; },
-     "directed bonds evaluated per second of wall time and rank"},
+     "directed bonds evaluated per second of wall time and rank, a measure of the work done: of a "
+     "symmetric scene those of the half that is computed"},
     {"interrupted", "", [](E e) -> Json { return e.notes.interrupted; },
      "whether the user ended the run"},
     {"failed", "", [](E e) -> Json { return e.notes.failed; },
@@ -151,8 +151,7 @@ const std::vector<SummaryRow<PlateDamage>> damage_rows{
      "of the bonds of plate N, had it no elements"},
     {"front_damaged_mm2", "mm2",
      [](const PlateDamage &d) -> Json { return d.front_area / (mm * mm); },
-     "area of the points of its front face that have lost more than a quarter of their bonds, both "
-     "halves"},
+     "area of the points of its front face that have lost more than a quarter of their bonds"},
     {"rear_damaged_mm2", "mm2",
      [](const PlateDamage &d) -> Json { return d.rear_area / (mm * mm); },
      "the same of its rear face"}};

@@ -20,8 +20,8 @@ struct RunNotes
   std::string directory;    // of the results
   std::string version;      // of the program
   int n_ranks         = 1;  // MPI processes
-  double n_points     = 0.; // computed
-  double n_bonds      = 0.; // of the sound plates as computed
+  double n_points     = 0.; // at time 0, see Simulation::n_points()
+  double n_bonds      = 0.; // of the sound plates at time 0
   double core_seconds = 0.; // processor time of all ranks [s]
   double bond_rate    = 0.; // directed bonds evaluated per second of wall time, all ranks [1/s]
   double deepest      = 0.; // penetration of a point into the projectile so far [dx]
