@@ -6,6 +6,7 @@
 #include "ricochet/base/units.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/simulation/interface_report.h"
+#include "ricochet/simulation/plate_size.h"
 #include "ricochet/simulation/simulation.h"
 
 #include <sys/resource.h>
@@ -74,19 +75,17 @@ void print_relaxation(const Simulation &simulation, const std::size_t plate)
 
 void print_plates(const Simulation &simulation)
 {
-  for (std::size_t i = 0; i < simulation.plates().size(); ++i)
+  const auto sizes = plate_sizes(simulation.scene());
+  for (std::size_t i = 0; i < sizes.size(); ++i)
   {
     const auto &material = simulation.material(i);
     const auto &lattice  = simulation.plates()[i]->lattice();
     const auto &box      = lattice.box();
-    const auto &asked    = simulation.scene().plates[i];
     const double K = material.bulk_modulus, mu = material.shear_modulus,
-                 E     = 9. * K * mu / (3. * K + mu);
-    const double s_c   = simulation.critical_stretch(i);
-    const double width = box.n[1] * box.spacing * (box.mirror_y ? 2. : 1.);
-    std::printf("plate %zu        %.4g x %.4g x %.4g mm asked, %.4g x %.4g x %.4g mm modelled%s\n",
-                i + 1, asked.length / mm, asked.width / mm, asked.thickness / mm,
-                box.n[0] * box.spacing / mm, width / mm, box.n[2] * box.spacing / mm,
+                 E   = 9. * K * mu / (3. * K + mu);
+    const double s_c = simulation.critical_stretch(i);
+    std::printf("plate %zu        %s asked, %s modelled%s\n", i + 1,
+                size_text(sizes[i].asked).c_str(), size_text(sizes[i].computed).c_str(),
                 box.mirror_y ? ", half of it computed" : "");
     std::printf("  zone         %s\n", simulation.plate(i).zone_reason.c_str());
     if (const auto *const far = simulation.coupled_plate(i))

@@ -14,12 +14,14 @@
 #include "ricochet/output/progress.h"
 #include "ricochet/output/summary.h"
 #include "ricochet/scene/scene_reader.h"
+#include "ricochet/simulation/plate_size.h"
 #include "ricochet/simulation/run_summary.h"
 #include "ricochet/simulation/sanity_check.h"
 
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cstdio>
 #include <memory>
 
 namespace ricochet
@@ -44,6 +46,18 @@ std::vector<History::Column> names_and_units()
   for (const auto &column : history_columns())
     columns.push_back({column.name, column.unit});
   return columns;
+}
+
+/// One line per plate whose extents the grid changes.
+void tell_sizes(const Scene &scene)
+{
+  const auto sizes = plate_sizes(scene);
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    if (!sizes[i].is_as_asked())
+      std::printf("plate %zu is computed as %s instead of %s: a multiple of the grid spacing%s\n",
+                  i + 1, size_text(sizes[i].computed).c_str(), size_text(sizes[i].asked).c_str(),
+                  scene.zone.has_elements() ? " and of the largest elements" : "");
+  std::fflush(stdout);
 }
 
 /// Something that is due every so often in simulated time.
@@ -227,6 +241,8 @@ nlohmann::ordered_json run_scene(const MPI_Comm communicator, const ParameterFil
   const Scene scene              = read_scene(file);
   Simulation simulation(communicator, scene);
   prepare_result_folder(communicator, scene.output.directory, file, options.force);
+  if (!options.quiet && rank_in(communicator) == 0)
+    tell_sizes(scene);
   // A run wants to begin: 3 % of the strain error are good enough. The test moves the nodes and
   // brings them back, so it comes before all that only looks at the simulation.
   auto interfaces = interface_reports(communicator, simulation, /*residual_left=*/3e-2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/simulation/run_summary.h"
 
+#include "ricochet/simulation/plate_size.h"
 #include "summary_row.h"
 #include "zone_summary.h"
 
@@ -146,6 +147,19 @@ const std::vector<SummaryRow<RunEnd>> rows{
      "whether the run broke down; reason says why"},
     {"version", "", [](E e) -> Json { return e.notes.version; }, "of ricochet"}};
 
+const std::vector<SummaryRow<PlateSize>> size_rows{
+    {"length_mm", "mm", [](const PlateSize &s) -> Json { return s.computed.x() / mm; },
+     "of plate N as it is computed, a multiple of the grid spacing or of the largest elements"},
+    {"width_mm", "mm", [](const PlateSize &s) -> Json { return s.computed.y() / mm; }, "likewise"},
+    {"thickness_mm", "mm", [](const PlateSize &s) -> Json { return s.computed.z() / mm; },
+     "likewise"},
+    {"asked_length_mm", "mm", [](const PlateSize &s) -> Json { return s.asked.x() / mm; },
+     "as the parameter file has it"},
+    {"asked_width_mm", "mm", [](const PlateSize &s) -> Json { return s.asked.y() / mm; },
+     "likewise"},
+    {"asked_thickness_mm", "mm", [](const PlateSize &s) -> Json { return s.asked.z() / mm; },
+     "likewise"}};
+
 const std::vector<SummaryRow<PlateDamage>> damage_rows{
     {"broken_share", "-", [](const PlateDamage &d) -> Json { return d.broken_share; },
      "of the bonds of plate N, had it no elements"},
@@ -161,6 +175,7 @@ std::vector<SummaryField> summary_fields()
 {
   std::vector<SummaryField> fields;
   append(fields, "", rows);
+  append(fields, "plate_N_", size_rows);
   append(fields, "plate_N_", damage_rows);
   append_zone_fields(fields, "zones");
   append(fields, "positions", position_rows);
@@ -169,9 +184,15 @@ std::vector<SummaryField> summary_fields()
 
 Json run_summary(const RunEnd &end, const std::vector<PlateDamage> &damage)
 {
-  Json summary = object_of(rows, end);
-  for (std::size_t i = 0; i < damage.size(); ++i)
-    summary.update(object_of(damage_rows, damage[i], "plate_" + std::to_string(i + 1) + "_"));
+  Json summary      = object_of(rows, end);
+  const auto prefix = [](const std::size_t i) { return "plate_" + std::to_string(i + 1) + "_"; };
+  const auto sizes  = plate_sizes(end.simulation.scene());
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    summary.update(object_of(size_rows, sizes[i], prefix(i)));
+    if (i < damage.size())
+      summary.update(object_of(damage_rows, damage[i], prefix(i)));
+  }
   if (!end.notes.positions.empty())
     summary["positions"] = end.notes.positions;
   return summary;
