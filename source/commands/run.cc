@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run.h"
 
-#include "contact_warnings.h"
 #include "interruption.h"
 #include "result_folder.h"
 #include "ricochet/base/exceptions.h"
@@ -17,6 +16,7 @@
 #include "ricochet/simulation/plate_size.h"
 #include "ricochet/simulation/run_summary.h"
 #include "ricochet/simulation/sanity_check.h"
+#include "run_warnings.h"
 
 #include <sys/resource.h>
 
@@ -169,6 +169,7 @@ private:
     totals_ = totals_of(simulation_);
     const Moment moment{simulation_, totals_};
     history_.append(history_record(moment));
+    warnings_.update(moment);
     check_energy(moment);
   }
 
@@ -209,6 +210,7 @@ private:
     notes_.bond_rate         = bond_rate();
     notes_.deepest           = warnings_.deepest();
     notes_.on_elements_since = warnings_.on_elements_since();
+    notes_.hourglass         = warnings_.hourglass();
     auto summary = run_summary({simulation_, watch_, verdict, totals_, notes_}, damage_.plates());
     write_summary(communicator_, directory_, summary);
     write_damage_maps(communicator_, directory_, damage_.maps());
@@ -222,7 +224,7 @@ private:
   const Scene &scene_;
   OutcomeWatch watch_;
   DamageReport damage_;
-  ContactWarnings warnings_;
+  RunWarnings warnings_;
   std::filesystem::path directory_;
   History history_;
   FieldWriter frames_;

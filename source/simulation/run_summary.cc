@@ -119,6 +119,16 @@ const std::vector<SummaryRow<RunEnd>> rows{
      "of a point into the projectile, in grid spacings; contact is too soft above 0.5"},
     {"on_elements_us", "us", [](E e) -> Json { return in_us_or_null(e.notes.on_elements_since); },
      "when the projectile first touched finite elements, which do not break; null: never"},
+    {"hourglass_share", "-",
+     [](E e) -> Json
+     { return e.notes.hourglass.time < 0. ? Json() : Json(e.notes.hourglass.share); },
+     "largest share of the hourglass modes in the energy that the elements of a plate store, at "
+     "all "
+     "records at which that is a thousandth of the initial energy or more; too large above 0.1; "
+     "null: "
+     "at none"},
+    {"hourglass_share_us", "us", [](E e) -> Json { return in_us_or_null(e.notes.hourglass.time); },
+     "when that was"},
     {"broken_bonds", "-", [](E e) -> Json { return std::llround(e.totals.broken_bonds); },
      "each counted once, at the last record"},
     {"damaged_boxes_mm", "mm", [](E e) { return damaged_boxes(e.simulation); },

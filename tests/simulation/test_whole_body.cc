@@ -79,6 +79,9 @@ Report report_of(const Scene &scene, const int n_steps)
   }
   simulation.compute_forces(true);
   const Totals totals = totals_of(simulation);
+  HourglassWatch hourglass;
+  hourglass.update({simulation, totals});
+  notes.hourglass = hourglass.largest();
   Report report;
   const auto record = history_record({simulation, totals});
   for (std::size_t i = 0; i < record.size(); ++i)
