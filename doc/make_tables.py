@@ -99,10 +99,12 @@ def columns(lists):
         "unit of `-` means a number without one, none that it is no number.", "",
         "## history.csv", "",
         "One row per record, every `Output/History interval`; the head of a column is `name [unit]`. `history.h5` has a dataset of the same name",
-        "per column. All of the full model, also in a symmetric scene.", "",
+        "per column. All numbers are those of whole bodies, also of a symmetric scene, of which one half is computed.", "",
         *table(heads, rows["history"]),
         "## summary.json", "",
-        "Once, at the end. `plate_N_…` stands for each plate, `zones[]` for one object per plate, `positions[]` for one per stated time.", "",
+        "Once, at the end. `plate_N_…` stands for each plate, `zones[]` for one object per plate, `positions[]` for one per stated time.",
+        "Here, too, all numbers are those of whole bodies; but `bond_rate_per_core` is a rate of the work that is done, so of the half that is",
+        "computed.", "",
         *table(heads, rows["summary"]),
     ]
 

@@ -6,6 +6,7 @@
 #include "ricochet/base/units.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/simulation/interface_report.h"
+#include "ricochet/simulation/plate_size.h"
 #include "ricochet/simulation/simulation.h"
 
 #include <sys/resource.h>
@@ -74,34 +75,32 @@ void print_relaxation(const Simulation &simulation, const std::size_t plate)
 
 void print_plates(const Simulation &simulation)
 {
-  for (std::size_t i = 0; i < simulation.plates().size(); ++i)
+  const auto sizes = plate_sizes(simulation.scene());
+  for (std::size_t i = 0; i < sizes.size(); ++i)
   {
     const auto &material = simulation.material(i);
     const auto &lattice  = simulation.plates()[i]->lattice();
     const auto &box      = lattice.box();
-    const auto &asked    = simulation.scene().plates[i];
     const double K = material.bulk_modulus, mu = material.shear_modulus,
-                 E     = 9. * K * mu / (3. * K + mu);
-    const double s_c   = simulation.critical_stretch(i);
-    const double width = box.n[1] * box.spacing * (box.mirror_y ? 2. : 1.);
-    std::printf("plate %zu        %.4g x %.4g x %.4g mm asked, %.4g x %.4g x %.4g mm modelled%s\n",
-                i + 1, asked.length / mm, asked.width / mm, asked.thickness / mm,
-                box.n[0] * box.spacing / mm, width / mm, box.n[2] * box.spacing / mm,
+                 E   = 9. * K * mu / (3. * K + mu);
+    const double s_c = simulation.critical_stretch(i);
+    std::printf("plate %zu        %s asked, %s modelled%s\n", i + 1,
+                size_text(sizes[i].asked).c_str(), size_text(sizes[i].computed).c_str(),
                 box.mirror_y ? ", half of it computed" : "");
     std::printf("  zone         %s\n", simulation.plate(i).zone_reason.c_str());
     if (const auto *const far = simulation.coupled_plate(i))
       std::printf(
-          "               peridynamic in %.1f %% of the volume; %lld elements of %.4g to %.4g "
-          "mm, %lld of them around the zone\n",
+          "               peridynamic in %.1f %% of the volume; %.0f elements of %.4g to %.4g "
+          "mm, %.0f of them around the zone\n",
           100. * far->zone().n_free_cells() / far->zone().n_cells_in_all(),
-          static_cast<long long>(far->elements().mesh().n_global_elements() -
-                                 far->zone().n_free_cells()),
+          far->multiplicity() * static_cast<double>(far->elements().mesh().n_global_elements() -
+                                                    far->zone().n_free_cells()),
           far->zone().points_per_edge() * box.spacing / mm, far->elements().mesh().box().edge / mm,
-          static_cast<long long>(far->zone().n_slaved_cells()));
+          far->multiplicity() * static_cast<double>(far->zone().n_slaved_cells()));
     std::printf("  lattice      %d x %d x %d points, spacing %.4g mm, horizon %.4g mm, %zu bonds "
                 "per point\n",
-                box.n[0], box.n[1], box.n[2], box.spacing / mm, lattice.stencil().horizon / mm,
-                2 * lattice.stencil().offsets.size());
+                box.n[0], (box.mirror_y ? 2 : 1) * box.n[1], box.n[2], box.spacing / mm,
+                lattice.stencil().horizon / mm, 2 * lattice.stencil().offsets.size());
     std::printf("  material     %s: %s, E %.4g GPa, nu %.3f, wave speeds %.0f and %.0f m/s\n",
                 material.name.c_str(), material.bond_model.c_str(), E / GPa,
                 (3. * K - 2. * mu) / (6. * K + 2. * mu),
@@ -125,15 +124,14 @@ void print_projectile(const Scene &scene, const Projectile &projectile)
               scene.impact.incidence_angle / deg,
               0.5e-3 * scene.projectile.mass * scene.impact.speed * scene.impact.speed);
   if (const std::string parts = projectile.parts(); !parts.empty())
-    std::printf("  deformable   %s%s, E %.4g GPa, nu %.3f\n", parts.c_str(),
-                scene.symmetric ? " in the half computed" : "",
+    std::printf("  deformable   %s, E %.4g GPa, nu %.3f\n", parts.c_str(),
                 scene.projectile.youngs_modulus / GPa, scene.projectile.poissons_ratio);
 }
 
 /// Sums over all ranks.
 struct Cost
 {
-  double points, bonds, memory; // memory in bytes
+  double points, bonds, memory; // of whole plates; in bytes
   int n_ranks;
 };
 
@@ -144,7 +142,8 @@ void print_cost(const Simulation &simulation, const Cost &cost)
   const double steps   = std::ceil(time.end_time / simulation.dt());
   const double seconds = steps * info.seconds_per_step;
   const char *ranks    = cost.n_ranks == 1 ? "rank" : "ranks";
-  std::printf("size           %.0f points, %.4g M bonds\n", cost.points, cost.bonds / 1e6);
+  std::printf("size           %.0f points, %.4g M bonds%s\n", cost.points, cost.bonds / 1e6,
+              simulation.scene().symmetric ? ", half of them computed" : "");
   std::printf("memory         %.3g GB on %d %s\n", cost.memory / 1e9, cost.n_ranks, ranks);
   std::printf("time step      %.4g us (bonds alone would allow %.4g us, contact takes %.0f %% of "
               "the squared frequency)\n",
@@ -157,8 +156,8 @@ void print_cost(const Simulation &simulation, const Cost &cost)
   std::printf("steps          at most %.0f to %.4g us%s\n", steps, time.end_time / us,
               time.stop_early ? "; ends when the outcome is decided" : "");
   std::printf("speed          %.0f M directed bonds/s on %d %s (%s)\n",
-              2e-6 * cost.bonds / info.seconds_per_step, cost.n_ranks, ranks,
-              simulation.plates()[0]->kernel().instruction_set);
+              2e-6 * simulation.computed_share() * cost.bonds / info.seconds_per_step, cost.n_ranks,
+              ranks, simulation.plates()[0]->kernel().instruction_set);
   // Debris contact and output: runs of prm/single_plate take 1.5 to 2.5 times their bond forces.
   std::printf("time           %.0f s for the bonds, about %.0f s with debris contact and output\n",
               seconds, 2. * seconds);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run.h"
 
-#include "contact_warnings.h"
 #include "interruption.h"
 #include "result_folder.h"
 #include "ricochet/base/exceptions.h"
@@ -14,13 +13,19 @@
 #include "ricochet/output/progress.h"
 #include "ricochet/output/summary.h"
 #include "ricochet/scene/scene_reader.h"
+<<<<<<< HEAD
 #include "ricochet/simulation/observation.h"
+=======
+#include "ricochet/simulation/plate_size.h"
+>>>>>>> fields
 #include "ricochet/simulation/run_summary.h"
 #include "ricochet/simulation/sanity_check.h"
+#include "run_warnings.h"
 
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cstdio>
 #include <memory>
 
 namespace ricochet
@@ -45,6 +50,18 @@ std::vector<History::Column> names_and_units()
   for (const auto &column : history_columns())
     columns.push_back({column.name, column.unit});
   return columns;
+}
+
+/// One line per plate whose extents the grid changes.
+void tell_sizes(const Scene &scene)
+{
+  const auto sizes = plate_sizes(scene);
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    if (!sizes[i].is_as_asked())
+      std::printf("plate %zu is computed as %s instead of %s: a multiple of the grid spacing%s\n",
+                  i + 1, size_text(sizes[i].computed).c_str(), size_text(sizes[i].asked).c_str(),
+                  scene.zone.has_elements() ? " and of the largest elements" : "");
+  std::fflush(stdout);
 }
 
 /// Something that is due every so often in simulated time.
@@ -164,6 +181,7 @@ private:
     totals_ = totals_of(simulation_);
     const Moment moment{simulation_, totals_};
     history_.append(history_record(moment));
+    warnings_.update(moment);
     check_energy(moment);
   }
 
@@ -181,12 +199,13 @@ private:
                   simulation_.elements());
   }
 
-  /// Directed bonds per second of wall time, all ranks [1/s].
+  /// Directed bonds evaluated per second of wall time, all ranks [1/s].
   double bond_rate() const
   {
     const double elapsed =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    return 2. * notes_.n_bonds * simulation_.step() / std::max(elapsed, 1e-9);
+    return 2. * simulation_.computed_share() * notes_.n_bonds * simulation_.step() /
+           std::max(elapsed, 1e-9);
   }
 
   void show(Progress &progress) const
@@ -203,6 +222,7 @@ private:
     notes_.bond_rate         = bond_rate();
     notes_.deepest           = warnings_.deepest();
     notes_.on_elements_since = warnings_.on_elements_since();
+    notes_.hourglass         = warnings_.hourglass();
     auto summary = run_summary({simulation_, watch_, verdict, totals_, notes_}, damage_.plates());
     write_summary(communicator_, directory_, summary);
     write_damage_maps(communicator_, directory_, damage_.maps());
@@ -216,7 +236,7 @@ private:
   const Scene &scene_;
   OutcomeWatch watch_;
   DamageReport damage_;
-  ContactWarnings warnings_;
+  RunWarnings warnings_;
   std::filesystem::path directory_;
   History history_;
   FieldWriter frames_;
@@ -237,6 +257,8 @@ nlohmann::ordered_json run_scene(const MPI_Comm communicator, const ParameterFil
   const Scene scene              = read_scene(file);
   Simulation simulation(communicator, scene);
   prepare_result_folder(communicator, scene.output.directory, file, options.force);
+  if (!options.quiet && rank_in(communicator) == 0)
+    tell_sizes(scene);
   // A run wants to begin: 3 % of the strain error are good enough. The test moves the nodes and
   // brings them back, so it comes before all that only looks at the simulation.
   auto interfaces = interface_reports(communicator, simulation, /*residual_left=*/3e-2);

@@ -13,6 +13,8 @@
 #include "ricochet/scene/study_file.h"
 #include "run.h"
 #include "stability_run.h"
+#include "study_plates.h"
+#include "warning.h"
 
 #include <nlohmann/json.hpp>
 
@@ -86,7 +88,7 @@ public:
         const StudyOptions &options) :
     communicator_(communicator),
     parameters_(parameters), options_(options), directory_(parameters.output_directory),
-    speaks_(rank_in(communicator) == 0), summaries_(parameters.cases.size())
+    plates_(parameters), speaks_(rank_in(communicator) == 0), summaries_(parameters.cases.size())
   {
     // Experiments and scenes do not share columns.
     is_map_ = std::all_of(parameters.cases.begin(), parameters.cases.end(),
@@ -96,6 +98,7 @@ public:
                                           : default_columns;
     std::vector<std::string> columns{"case"};
     columns.insert(columns.end(), chosen_.begin(), chosen_.end());
+    columns.insert(columns.end(), plates_.columns().begin(), plates_.columns().end());
     columns.push_back("status");
     table_ = std::make_unique<Table>(columns);
   }
@@ -115,6 +118,8 @@ public:
   /// Returns the number of cases that failed.
   int run_cases()
   {
+    if (const auto warning = plates_.warning(); !warning.empty())
+      warn(communicator_, warning);
     int n_failed       = 0;
     std::string status = "";
     for (std::size_t i = 0; i < parameters_.cases.size() && status != "interrupted"; ++i)
@@ -124,6 +129,8 @@ public:
       std::vector<Json> row{parameters_.cases[i].name};
       for (const auto &column : chosen_)
         row.push_back(summaries_[i].is_object() ? summaries_[i].value(column, Json()) : Json());
+      for (auto &extent : plates_.row(i))
+        row.push_back(std::move(extent));
       row.push_back(status);
       table_->add(row);
       on_first_rank(communicator_, [&] { write_file(directory_ / "study.csv", table_->csv()); });
@@ -185,6 +192,7 @@ private:
   const StudyParameters &parameters_;
   StudyOptions options_;
   std::filesystem::path directory_;
+  StudyPlates plates_;
   bool speaks_, is_map_ = false;
   std::vector<std::string> chosen_; // fields of the summaries that the table shows
   std::unique_ptr<Table> table_;

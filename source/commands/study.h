@@ -14,7 +14,8 @@ struct StudyOptions
 };
 
 /**
- * Runs every case of the study, each into its own folder, and writes study.csv after each. A case
+ * Runs every case of the study, each into its own folder, and writes study.csv after each; with the
+ * plates' extents where the grid makes them differ (study_plates.h). A case
  * that fails is kept in the table with its reason and does not stop the others. A finished case is
  * one whose summary says so and whose parameters are those of now. With a reference, comparison.csv
  * and comparison_paths.csv follow (comparison.h), and accuracy.png.

@@ -276,6 +276,6 @@ std::string PeridynamicBody::first_not_finite() const
 
 double PeridynamicBody::n_broken_bonds() const
 {
-  return multiplicity() * fracture_->total(communicator_).n_bonds;
+  return fracture_->total(communicator_).n_bonds;
 }
 } // namespace ricochet

@@ -18,7 +18,8 @@ public:
   double squared_frequency() const override { return squared_frequency_; }
   std::string parts() const override
   {
-    return std::to_string(elastic_.solid().cells.size()) + " hexahedra";
+    const auto halves = static_cast<std::size_t>(elastic_.multiplicity());
+    return std::to_string(halves * elastic_.solid().cells.size()) + " hexahedra";
   }
   double seconds_per_step() const override { return seconds_per_step_; }
 

@@ -106,9 +106,10 @@ double PeridynamicProjectile::bound_contact()
 std::string PeridynamicProjectile::parts() const
 {
   std::ostringstream text;
-  text << body_->points().size() << " points";
+  const std::size_t halves = mirrored_ ? 2 : 1;
+  text << halves * body_->points().size() << " points";
   if (body_->elements() != nullptr)
-    text << " in front of " << body_->n_elements() << " hexahedra (overlap "
+    text << " in front of " << halves * body_->n_elements() << " hexahedra (overlap "
          << 1e3 * body_->overlap().length << " mm, ghost force " << std::setprecision(2)
          << body_->overlap().ghost << ")";
   return text.str();

@@ -41,7 +41,7 @@ DamageReport::DamageReport(const MPI_Comm communicator, const Simulation &simula
   communicator_(communicator), simulation_(simulation)
 {
   for (const auto &plate : simulation.plates())
-    n_bonds_.push_back(plate->count_bonds());
+    n_bonds_.push_back(plate->multiplicity() * plate->count_bonds());
 }
 
 double DamageReport::n_bonds() const
@@ -66,7 +66,7 @@ std::vector<PlateDamage> DamageReport::plates() const
             n[c[2] == 0] += 1.;
         });
     MPI_Allreduce(MPI_IN_PLACE, n, 2, MPI_DOUBLE, MPI_SUM, communicator_);
-    const double area   = (lattice.box().mirror_y ? 2. : 1.) * std::pow(lattice.box().spacing, 2);
+    const double area   = plate.multiplicity() * std::pow(lattice.box().spacing, 2);
     const double broken = plate.count_sound_bonds() - plate.count_bonds();
     damage.push_back({broken / bonds_of_box(lattice), area * n[0], area * n[1]});
   }

@@ -104,8 +104,7 @@ const std::vector<HistoryColumn> columns{
      "not account for"},
     {"residual relative", "-", [](M m) { return m.totals.relative_residual(); },
      "the same as a share of the initial energy"},
-    {"broken bonds", "-", [](M m) { return m.totals.broken_bonds; },
-     "so far, each counted once, both halves of a symmetric scene"}};
+    {"broken bonds", "-", [](M m) { return m.totals.broken_bonds; }, "so far, each counted once"}};
 } // namespace
 
 Totals totals_of(const Simulation &simulation)

@@ -2,6 +2,7 @@
 #include "plate_builder.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/simulation/plate_size.h"
 #include "ricochet/simulation/plate_zone.h"
 
 #include <cmath>

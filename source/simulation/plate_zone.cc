@@ -3,39 +3,15 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/coupling/zone_extent.h"
+#include "ricochet/simulation/plate_size.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace ricochet
 {
 namespace
 {
-// Of the largest elements, in grid spacings.
-constexpr int largest_edge     = 8;
-// More would be another plate [-].
-constexpr double most_rounding = 0.05;
-
-int rounded(const double length, const double spacing, const int multiple)
-{
-  return multiple * std::max(1, static_cast<int>(std::lround(length / (spacing * multiple))));
-}
-
-/// How often the elements can double their size: the thickness decides, the other extents are
-/// rounded to it.
-int coarsening_levels(const Scene &scene, const PlateParameters &plate)
-{
-  if (scene.zone.coarsening_levels >= 0)
-    return scene.zone.coarsening_levels;
-  const int n       = scene.zone.coupling.points_per_edge;
-  const int n_cells = rounded(plate.thickness, plate.spacing, n) / n;
-  int levels        = 0;
-  while ((2 * n << levels) <= largest_edge && n_cells % (2 << levels) == 0)
-    ++levels;
-  return levels;
-}
-
 Zone::Cells columns(const Lattice::Box &box, const int points_per_edge, const double x_low,
                     const double x_high, const double y_low, const double y_high)
 {
@@ -121,39 +97,7 @@ Zone::Cells off_the_edges(Zone::Cells cells, const Zone &zone, const bool mirror
   }
   return cells;
 }
-} // namespace
 
-std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &plate)
-{
-  const int multiple    = scene.zone.has_elements()
-                              ? scene.zone.coupling.points_per_edge << coarsening_levels(scene, plate)
-                              : 1;
-  const double asked[3] = {plate.length, scene.symmetric ? plate.width / 2. : plate.width,
-                           plate.thickness};
-  const char *axis[3]   = {"length", scene.symmetric ? "half width" : "width", "thickness"};
-  std::array<int, 3> n;
-  for (int d = 0; d < 3; ++d)
-  {
-    n[d] = rounded(asked[d], plate.spacing, multiple);
-    // Without elements a plate is at most half a spacing off, and that is the grid's business.
-    if (scene.zone.has_elements() &&
-        std::abs(n[d] * plate.spacing - asked[d]) > most_rounding * asked[d])
-    {
-      std::ostringstream message;
-      message << "The " << axis[d] << " of a plate, " << 1e3 * asked[d] << " mm, would become "
-              << 1e3 * n[d] * plate.spacing << " mm to be filled with finite elements of "
-              << 1e3 * multiple * plate.spacing << " mm; at most " << 100. * most_rounding
-              << " % are tolerated. Choose a multiple of " << 1e3 * multiple * plate.spacing
-              << " mm, a smaller 'Grid spacing', fewer 'Coupling/Coarsening levels' or a smaller "
-                 "'Coupling/Element size'.";
-      throw InputError(message.str());
-    }
-  }
-  return n;
-}
-
-namespace
-{
 /// The cells of one plate that choices of a zone mean.
 class ZoneCells
 {

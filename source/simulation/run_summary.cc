@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/simulation/run_summary.h"
 
+#include "ricochet/simulation/plate_size.h"
 #include "summary_row.h"
 #include "zone_summary.h"
 
@@ -129,18 +130,27 @@ const std::vector<SummaryRow<RunEnd>> rows{
      "of a point into the projectile, in grid spacings; contact is too soft above 0.5"},
     {"on_elements_us", "us", [](E e) -> Json { return in_us_or_null(e.notes.on_elements_since); },
      "when the projectile first touched finite elements, which do not break; null: never"},
+    {"hourglass_share", "-",
+     [](E e) -> Json
+     { return e.notes.hourglass.time < 0. ? Json() : Json(e.notes.hourglass.share); },
+     "largest share of the hourglass modes in the energy that the elements of a plate store, at "
+     "all "
+     "records at which that is a thousandth of the initial energy or more; too large above 0.1; "
+     "null: "
+     "at none"},
+    {"hourglass_share_us", "us", [](E e) -> Json { return in_us_or_null(e.notes.hourglass.time); },
+     "when that was"},
     {"broken_bonds", "-", [](E e) -> Json { return std::llround(e.totals.broken_bonds); },
-     "each counted once, both halves of a symmetric scene, at the last record"},
+     "each counted once, at the last record"},
     {"damaged_boxes_mm", "mm", [](E e) { return damaged_boxes(e.simulation); },
      "per plate the box around the damaged points in the reference configuration: x from and to, "
-     "y, "
-     "z; empty if there are none"},
+     "y, z; empty if there are none"},
     {"zones", "", [](E e) { return zone_summary(e.simulation, e.notes.interfaces); },
      "per plate, see below"},
     {"points", "-", [](E e) -> Json { return std::llround(e.notes.n_points); },
-     "peridynamic points as computed, of one half in a symmetric scene"},
+     "peridynamic points at the start, those that follow elements included"},
     {"bonds", "-", [](E e) -> Json { return std::llround(e.notes.n_bonds); },
-     "of the sound plates as computed, of one half in a symmetric scene"},
+     "of the sound plates at the start, each counted once"},
     {"steps", "-", [](E e) -> Json { return e.simulation.step(); }, "made"},
     {"time_step_us", "us", [](E e) -> Json { return e.simulation.dt() / us; }, "of the run"},
     {"ranks", "-", [](E e) -> Json { return e.notes.n_ranks; }, "MPI processes"},
@@ -150,20 +160,33 @@ const std::vector<SummaryRow<RunEnd>> rows{
     {"core_seconds", "s", [](E e) -> Json { return e.notes.core_seconds; },
      "processor time of all ranks"},
     {"bond_rate_per_core", "1/s", [](E e) -> Json { return e.notes.bond_rate / e.notes.n_ranks; },
-     "directed bonds evaluated per second of wall time and rank"},
+     "directed bonds evaluated per second of wall time and rank, a measure of the work done: of a "
+     "symmetric scene those of the half that is computed"},
     {"interrupted", "", [](E e) -> Json { return e.notes.interrupted; },
      "whether the user ended the run"},
     {"failed", "", [](E e) -> Json { return e.notes.failed; },
      "whether the run broke down; reason says why"},
     {"version", "", [](E e) -> Json { return e.notes.version; }, "of ricochet"}};
 
+const std::vector<SummaryRow<PlateSize>> size_rows{
+    {"length_mm", "mm", [](const PlateSize &s) -> Json { return s.computed.x() / mm; },
+     "of plate N as it is computed, a multiple of the grid spacing or of the largest elements"},
+    {"width_mm", "mm", [](const PlateSize &s) -> Json { return s.computed.y() / mm; }, "likewise"},
+    {"thickness_mm", "mm", [](const PlateSize &s) -> Json { return s.computed.z() / mm; },
+     "likewise"},
+    {"asked_length_mm", "mm", [](const PlateSize &s) -> Json { return s.asked.x() / mm; },
+     "as the parameter file has it"},
+    {"asked_width_mm", "mm", [](const PlateSize &s) -> Json { return s.asked.y() / mm; },
+     "likewise"},
+    {"asked_thickness_mm", "mm", [](const PlateSize &s) -> Json { return s.asked.z() / mm; },
+     "likewise"}};
+
 const std::vector<SummaryRow<PlateDamage>> damage_rows{
     {"broken_share", "-", [](const PlateDamage &d) -> Json { return d.broken_share; },
      "of the bonds of plate N, had it no elements"},
     {"front_damaged_mm2", "mm2",
      [](const PlateDamage &d) -> Json { return d.front_area / (mm * mm); },
-     "area of the points of its front face that have lost more than a quarter of their bonds, both "
-     "halves"},
+     "area of the points of its front face that have lost more than a quarter of their bonds"},
     {"rear_damaged_mm2", "mm2",
      [](const PlateDamage &d) -> Json { return d.rear_area / (mm * mm); },
      "the same of its rear face"}};
@@ -173,6 +196,7 @@ std::vector<SummaryField> summary_fields()
 {
   std::vector<SummaryField> fields;
   append(fields, "", rows);
+  append(fields, "plate_N_", size_rows);
   append(fields, "plate_N_", damage_rows);
   append_zone_fields(fields, "zones");
   append(fields, "positions", position_rows);
@@ -181,9 +205,15 @@ std::vector<SummaryField> summary_fields()
 
 Json run_summary(const RunEnd &end, const std::vector<PlateDamage> &damage)
 {
-  Json summary = object_of(rows, end);
-  for (std::size_t i = 0; i < damage.size(); ++i)
-    summary.update(object_of(damage_rows, damage[i], "plate_" + std::to_string(i + 1) + "_"));
+  Json summary      = object_of(rows, end);
+  const auto prefix = [](const std::size_t i) { return "plate_" + std::to_string(i + 1) + "_"; };
+  const auto sizes  = plate_sizes(end.simulation.scene());
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    summary.update(object_of(size_rows, sizes[i], prefix(i)));
+    if (i < damage.size())
+      summary.update(object_of(damage_rows, damage[i], prefix(i)));
+  }
   if (!end.notes.positions.empty())
     summary["positions"] = end.notes.positions;
   return summary;

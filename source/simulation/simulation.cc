@@ -277,6 +277,8 @@ std::pair<Vector3, Vector3> Simulation::damaged_box(const std::size_t plate) con
           corners[3 + d] = std::min(corners[3 + d], -X[d]);
         }
       });
+  if (lattice.box().mirror_y) // the other half reaches as far
+    corners[1] = std::min(corners[1], corners[4]);
   MPI_Allreduce(MPI_IN_PLACE, corners.data(), 6, MPI_DOUBLE, MPI_MIN, communicator_);
   return {{corners[0], corners[1], corners[2]}, {-corners[3], -corners[4], -corners[5]}};
 }
@@ -285,7 +287,7 @@ double Simulation::broken_bonds() const
 {
   double n = 0.;
   for (const auto *const plate : plates())
-    n += plate->n_broken_bonds();
+    n += plate->multiplicity() * plate->n_broken_bonds();
   return n;
 }
 
@@ -293,7 +295,12 @@ double Simulation::n_points() const
 {
   double n = 0.;
   for (const auto *const plate : plates())
-    n += static_cast<double>(plate->lattice().n_owned_points());
+    plate->lattice().for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          if (plate->lattice().kind(p) != PointKind::contact)
+            n += plate->multiplicity();
+        });
   MPI_Allreduce(MPI_IN_PLACE, &n, 1, MPI_DOUBLE, MPI_SUM, communicator_);
   return n;
 }
@@ -302,7 +309,7 @@ double Simulation::n_bonds() const
 {
   double n = 0.;
   for (const auto *const plate : plates())
-    n += plate->count_bonds();
+    n += plate->multiplicity() * plate->count_bonds();
   return n;
 }
 } // namespace ricochet

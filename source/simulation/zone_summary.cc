@@ -41,9 +41,16 @@ double share_of_volume(P p)
                               : 1.;
 }
 
-double conversion_loss(P p)
+/// A number or an energy of the plate as computed becomes that of the whole one.
+template <class Value>
+Json of_whole(P p, const Value value)
 {
-  return p.coupled->adaptive_zone().loss() * (p.simulation.scene().symmetric ? 2. : 1.);
+  return value * static_cast<Value>(p.coupled->multiplicity());
+}
+
+Json conversion_loss(P p)
+{
+  return of_whole(p, p.coupled->adaptive_zone().loss());
 }
 
 Json ghost_force(P p)
@@ -59,13 +66,16 @@ const std::vector<SummaryRow<PlateView>> zone_rows{
     {"share_of_volume", "-", [](P p) -> Json { return share_of_volume(p); },
      "peridynamic at the end"},
     {"elements", "-",
-     [](P p) {
-       return if_coupled(p, [](P q) { return q.coupled->elements().mesh().n_global_elements(); });
+     [](P p)
+     {
+       return if_coupled(p, [](P q)
+                         { return of_whole(q, q.coupled->elements().mesh().n_global_elements()); });
      },
      "number of finite elements, those full of points included; this and all below only with "
      "elements"},
     {"slaved_cells", "-",
-     [](P p) { return if_coupled(p, [](P q) { return q.coupled->zone().n_slaved_cells(); }); },
+     [](P p)
+     { return if_coupled(p, [](P q) { return of_whole(q, q.coupled->zone().n_slaved_cells()); }); },
      "cells of points that follow nodes"},
     {"ghost_force", "-", ghost_force,
      "largest force that a constant strain leaves at the interface, in units of strain (K + 4 "
@@ -73,7 +83,7 @@ const std::vector<SummaryRow<PlateView>> zone_rows{
     {"conversions", "-",
      [](P p)
      { return if_coupled(p, [](P q) { return q.coupled->adaptive_zone().n_conversions(); }); },
-     "elements that became points"},
+     "times that elements became points"},
     {"redistributions", "-",
      [](P p)
      { return if_coupled(p, [](P q) { return q.coupled->adaptive_zone().n_redistributions(); }); },

@@ -28,9 +28,9 @@ TEST(Check, TellsSizeStepAndCostOnRankZero)
     return;
   }
   // 2 plates of 40 x 20 x 6 points, half of which are computed.
-  for (const char *part :
-       {"diameter 6 mm", "300 m/s", "plate 1 ", "plate 2 ", "40 x 10 x 6 points", "4800 points",
-        "critical stretch 0.01 (given)", "steps          at most ", " to 30 us"})
+  for (const char *part : {"diameter 6 mm", "300 m/s", "plate 1 ", "plate 2 ", "40 x 20 x 6 points",
+                           "9600 points", "M bonds, half of them computed",
+                           "critical stretch 0.01 (given)", "steps          at most ", " to 30 us"})
     EXPECT_TRUE(contains(text, part)) << part << " in\n" << text;
   EXPECT_EQ(contains(text, "1 rank\n"), n_ranks() == 1) << text;
   EXPECT_FALSE(contains(text, "interface")) << text;

@@ -73,6 +73,28 @@ TEST(Run, SummaryTellsPositionsAtStatedTimesAndDamagePerPlate)
   }
 }
 
+TEST(Run, TellsAtTheStartAndInTheSummaryHowLargePlatesAreComputed)
+{
+  const ScratchDirectory scratch;
+  const auto file = two_plates_file((scratch.path() / "results").string(),
+                                    {"Plate 2/Grid spacing=0.75 mm", "Time/Final time=1 us"});
+  ::testing::internal::CaptureStdout();
+  const auto s           = run_scene(MPI_COMM_WORLD, file, {});
+  const std::string text = ::testing::internal::GetCapturedStdout();
+  EXPECT_EQ(contains(text, "plate 2 is computed as 39.75 x 19.5 x 6 mm instead of 40 x 20 x 6 mm"),
+            rank() == 0)
+      << text;
+  EXPECT_FALSE(contains(text, "plate 1")) << text;
+  const std::map<std::string, double> expected{
+      {"plate_1_length_mm", 40.},        {"plate_1_width_mm", 20.},
+      {"plate_1_thickness_mm", 6.},      {"plate_2_length_mm", 39.75},
+      {"plate_2_width_mm", 19.5},        {"plate_2_thickness_mm", 6.},
+      {"plate_2_asked_length_mm", 40.},  {"plate_2_asked_width_mm", 20.},
+      {"plate_2_asked_thickness_mm", 6.}};
+  for (const auto &[name, value] : expected)
+    EXPECT_NEAR(s[name].get<double>(), value, 1e-12 * value) << name;
+}
+
 TEST(Run, FinishedOnesAreNotOverwrittenUnasked)
 {
   const ScratchDirectory scratch;

@@ -4,6 +4,7 @@
 #include "support/coupled_scene.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/simulation/plate_size.h"
 #include "ricochet/simulation/plate_zone.h"
 
 #include <gtest/gtest.h>
@@ -38,32 +39,7 @@ PlateZone zone_of(const Scene &scene)
 
 using Points = std::array<int, 3>;
 
-TEST(PlateZone, LatticeOfAPeridynamicPlateIsRoundedToPoints)
-{
-  Scene scene = big_plate();
-  EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{133, 67, 20}));
-  scene.symmetric = true;
-  EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{133, 33, 20}));
-}
-
-TEST(PlateZone, LatticeWithElementsIsAMultipleOfTheLargest)
-{
-  Scene scene                  = big_plate();
-  scene.zone.kind              = ZoneKind::automatic;
-  scene.zone.coarsening_levels = 0; // cubes of 2 points
-  EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{134, 66, 20}));
-  scene.zone.coarsening_levels = 1; // of 4
-  EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{132, 68, 20}));
-  // 20 points are 10 cells through the thickness: cubes can double once.
-  scene.zone.coarsening_levels = -1;
-  EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{132, 68, 20}));
-  scene.plates[0].thickness = 24e-3; // 8 cells: twice, and not more
-  EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{136, 64, 16}));
-  scene.plates[0].thickness = 27e-3; // 9 cells: never
-  EXPECT_EQ(lattice_points(scene, scene.plates[0])[2], 18);
-}
-
-TEST(PlateZone, ElementsOfOtherSizesDoubleUntilTheyHoldEightPoints)
+TEST(PlateZone, CellsHoldAsManyPointsAsElementsMay)
 {
   Scene scene               = big_plate();
   scene.zone.kind           = ZoneKind::automatic;
@@ -71,39 +47,8 @@ TEST(PlateZone, ElementsOfOtherSizesDoubleUntilTheyHoldEightPoints)
   for (const int n : {1, 2, 4})
   {
     scene.zone.coupling.points_per_edge = n;
-    EXPECT_EQ(lattice_points(scene, scene.plates[0]), (Points{136, 64, 16})) << n;
     EXPECT_EQ(zone_of(scene).zone->n_cells(), (Points{136 / n, 64 / n, 16 / n})) << n;
   }
-  scene.plates[0].thickness = 27e-3; // 18 points
-  try
-  {
-    lattice_points(scene, scene.plates[0]);
-    FAIL() << "a plate of 30 mm instead of 27";
-  }
-  catch (const InputError &error)
-  {
-    for (const char *part : {"27 mm", "30 mm", "6 mm", "Element size"})
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
-}
-
-TEST(PlateZone, RoundingThatMakesAnotherPlateIsRefused)
-{
-  Scene scene                  = big_plate();
-  scene.zone.kind              = ZoneKind::automatic;
-  scene.zone.coarsening_levels = 2; // cubes of 12 mm would make 36 mm of 30
-  try
-  {
-    lattice_points(scene, scene.plates[0]);
-    FAIL() << "a plate of 36 mm instead of 30";
-  }
-  catch (const InputError &error)
-  {
-    for (const char *part : {"thickness", "30 mm", "36 mm", "12 mm", "5 %", "Coarsening levels"})
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
-  scene.zone.kind = ZoneKind::everything; // nothing to fill
-  EXPECT_EQ(lattice_points(scene, scene.plates[0])[2], 20);
 }
 
 TEST(PlateZone, EverythingHasNoElements)

@@ -160,7 +160,7 @@ protected:
               &EnergyBalance::fracture, &EnergyBalance::initial, &EnergyBalance::viscous})
           EXPECT_NEAR(e.*term, g.*term, tolerance * e.initial) << "step " << i;
         EXPECT_EQ(full.broken_bonds(), half.broken_bonds());
-        EXPECT_EQ(full.n_bonds(), 2. * half.n_bonds());
+        EXPECT_EQ(full.n_bonds(), half.n_bonds());
         EXPECT_EQ(full.reaction().n_touching, half.reaction().n_touching);
       }
       full.advance();

@@ -86,8 +86,7 @@ public:
     const auto of_layer = [&](auto &&quantity)
     { return quantity(*bodies_[1]) - quantity(*bodies_[0]); };
     const double energy  = of_layer([&](const auto &body) { return body.energies(dt_).fracture; }),
-                 n_bonds = of_layer([](const auto &body)
-                                    { return body.n_broken_bonds() / body.multiplicity(); });
+                 n_bonds = of_layer([](const auto &body) { return body.n_broken_bonds(); });
     return {length(), time_, energy / (spacing * spacing * energy_release_), n_bonds};
   }
 

@@ -132,12 +132,14 @@ public:
   double damage(const std::ptrdiff_t index) const { return damage_.damage(index); }
   /// Whether a bond of it has broken.
   bool is_damaged(const std::ptrdiff_t index) const { return damage_.is_damaged(index); }
+  // Counts of bonds are, like energies and momenta, of the body as computed: multiplicity() times
+  // as many has the whole one.
   /// Bonds of the body, and the same with broken ones; each counted once, over all ranks, a
   /// mirrored one half. Collective, slow.
   double count_bonds() const { return damage_.count_intact(communicator_); }
   /// Broken ones included.
   double count_sound_bonds() const { return damage_.count_sound(communicator_); }
-  /// Bonds broken and booked so far, each once, of both halves of a symmetric body. Collective.
+  /// Bonds broken and booked so far, likewise. Collective.
   double n_broken_bonds() const;
 
   /// Owned points with an intact bond stretched beyond `stretch` [-] among the blocks given, each

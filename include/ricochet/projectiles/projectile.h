@@ -43,7 +43,7 @@ public:
 
   /// Largest squared frequency of the body itself, contact springs included; 0 if rigid [1/s^2].
   virtual double squared_frequency() const = 0;
-  /// What is computed of it, in words: "1232 hexahedra"; empty if rigid.
+  /// What it is computed as, in words, both halves: "1232 hexahedra"; empty if rigid.
   virtual std::string parts() const        = 0;
   /// Measured, of the body's internal forces alone [s].
   virtual double seconds_per_step() const  = 0;

@@ -26,7 +26,7 @@ public:
   /// Counts the bonds of the sound plates. `simulation` must outlive this object. Collective.
   DamageReport(MPI_Comm communicator, const Simulation &simulation);
 
-  /// At the start, of the half model as computed.
+  /// Of whole plates at the start.
   double n_bonds() const;
 
   /// Damage now, per plate. Collective, slow.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From the parameters of a plate to its lattice, its peridynamic zone and the finite elements
-// around it.
+// From the parameters of a plate to its peridynamic zone and the finite elements around it.
 #pragma once
 
 #include "ricochet/coupling/coupled_plate.h"
@@ -19,10 +18,6 @@ struct PlateZone
   double growth_ahead = std::numeric_limits<double>::infinity(); // of the projectile, along x [m]
   std::string reason;                                            // for the user
 };
-
-/// Points along x, y and z of a plate; with elements a multiple of what their largest cubes hold.
-/// Throws InputError if that changes an extent by more than 5 %.
-std::array<int, 3> lattice_points(const Scene &scene, const PlateParameters &plate);
 
 /// s_c from the material: given, or from the energy release rate on this stencil [-].
 double critical_stretch(const MaterialParameters &material, const Stencil &stencil);

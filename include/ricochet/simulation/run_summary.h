@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ricochet/simulation/damage_report.h"
-#include "ricochet/simulation/history_record.h"
+#include "ricochet/simulation/hourglass_watch.h"
 #include "ricochet/simulation/interface_report.h"
 #include "ricochet/simulation/outcome.h"
 
@@ -20,15 +20,16 @@ struct RunNotes
   std::string directory;    // of the results
   std::string version;      // of the program
   int n_ranks         = 1;  // MPI processes
-  double n_points     = 0.; // computed
-  double n_bonds      = 0.; // of the sound plates as computed
+  double n_points     = 0.; // at time 0, see Simulation::n_points()
+  double n_bonds      = 0.; // of the sound plates at time 0
   double core_seconds = 0.; // processor time of all ranks [s]
   double bond_rate    = 0.; // directed bonds evaluated per second of wall time, all ranks [1/s]
   double deepest      = 0.; // penetration of a point into the projectile so far [dx]
-  double on_elements_since = -1.;   // when the projectile first touched some; negative: never [s]
-  bool interrupted         = false; // the user ended the run
-  bool failed              = false; // the run broke down
-  MomentumBalance start_momenta{};  // at time 0
+  double on_elements_since = -1.;  // when the projectile first touched some; negative: never [s]
+  HourglassShare hourglass;        // the largest of the run
+  bool interrupted = false;        // the user ended the run
+  bool failed      = false;        // the run broke down
+  MomentumBalance start_momenta{}; // at time 0
   std::vector<InterfaceReport> interfaces; // at time 0
   /// From sighting(), at the times that the scene states.
   nlohmann::ordered_json positions = nlohmann::ordered_json::array();

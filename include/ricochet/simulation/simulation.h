@@ -69,12 +69,15 @@ public:
   Vector3 support_reaction() const;
   /// Of the half step before the present time, with what supports have taken up. Collective.
   MomentumBalance momenta() const;
-  double broken_bonds() const; // so far, each once, both halves; collective
-  /// Box around the damaged points of a plate in the reference configuration, of the model as
-  /// computed [m]; low > high if there are none. Collective.
+  // All numbers are those of whole bodies, also if a symmetry plane spares one half.
+  double broken_bonds() const; // so far, each once; collective
+  /// Box around the damaged points of a plate in the reference configuration [m]; low > high if
+  /// there are none. Collective.
   std::pair<Vector3, Vector3> damaged_box(std::size_t plate) const;
-  double n_points() const; // of the full or half model as computed; collective
-  double n_bonds() const;  // intact now, of the half model as computed; collective
+  double n_points() const; // that have bonds or had, those for contact alone left out; collective
+  double n_bonds() const;  // intact now; collective
+  /// Of points and bonds that are computed: half with a symmetry plane [-].
+  double computed_share() const { return scene_.symmetric ? 0.5 : 1.; }
 
   /// Throws RunError naming point, field and time if a field of this or another rank is not finite.
   /// Collective.

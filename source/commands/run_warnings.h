@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Watches the contact of a run for what makes its results doubtful.
+// Watches a run for what makes its results doubtful, and warns of it once.
 #pragma once
 
-#include "ricochet/simulation/simulation.h"
+#include "ricochet/simulation/hourglass_watch.h"
 
 namespace ricochet
 {
-class ContactWarnings
+class RunWarnings
 {
 public:
-  explicit ContactWarnings(MPI_Comm communicator) : communicator_(communicator) {}
+  explicit RunWarnings(MPI_Comm communicator) : communicator_(communicator) {}
 
-  /// Call once per step, after compute_forces(). Prints each warning once, on rank 0.
+  /// Contact: call once per step, after compute_forces(). Collective.
   void update(const Simulation &simulation);
+  /// Energies: call at records. Collective.
+  void update(const Moment &moment);
 
   double deepest() const { return deepest_; } // penetration of a point so far [dx]
   /// Since when the projectile has touched finite elements; negative: never [s].
   double on_elements_since() const { return on_elements_since_; }
+  /// The largest so far.
+  const HourglassShare &hourglass() const { return hourglass_.largest(); }
 
 private:
   void check_depth(const Simulation &simulation);
@@ -24,5 +28,6 @@ private:
 
   MPI_Comm communicator_;
   double deepest_ = 0., on_elements_since_ = -1.;
+  HourglassWatch hourglass_;
 };
 } // namespace ricochet
