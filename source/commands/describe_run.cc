@@ -15,12 +15,13 @@ std::string describe_run(const nlohmann::ordered_json &summary)
   { return summary[key].is_number() ? summary[key].get<double>() : std::nan(""); };
   const auto text    = [&](const char *key) { return summary[key].get<std::string>(); };
   const auto rounded = [&](const char *key, const int n) { return with_decimals(number(key), n); };
+  const auto measure = [&](const char *key) { return with_precision(number(key), 3); };
   const auto power   = [&](const char *key) { return with_exponent(number(key), 0); };
   return "\noutcome     " + text("outcome") + ": " + text("reason") + "\nexit        " +
-         rounded("exit_speed_m_s", 0) + " m/s at " + rounded("exit_angle_deg", 1) +
+         measure("exit_speed_m_s") + " m/s at " + rounded("exit_angle_deg", 1) +
          " deg to the plate, pitch " + rounded("pitch_deg", 1) + " deg, after " +
-         rounded("time_us", 0) + " us; deepest " + rounded("max_depth_mm", 1) + " mm, path " +
-         rounded("path_mm", 0) + " mm\nbalance     energy residual " +
+         measure("time_us") + " us; deepest " + measure("max_depth_mm") + " mm, path " +
+         measure("path_mm") + " mm\nbalance     energy residual " +
          with_decimals(100. * number("energy_residual"), 2) +
          " % of the impact energy, momentum drift " + power("momentum_drift") +
          ", angular momentum drift " + power("angular_momentum_drift") + "\ncost        " +
