@@ -15,16 +15,16 @@ std::string describe_run(const nlohmann::ordered_json &summary)
   { return summary[key].is_number() ? summary[key].get<double>() : std::nan(""); };
   const auto text     = [&](const char *key) { return summary[key].get<std::string>(); };
   const auto rounded  = [&](const char *key, const int n) { return with_decimals(number(key), n); };
+  const auto measure  = [&](const char *key) { return with_precision(number(key), 3); };
   const auto power    = [&](const char *key) { return with_exponent(number(key), 0); };
   const auto outcome  = text("outcome");
   const bool has_left = outcome != "undecided" && outcome != "stuck";
   const std::string depth =
-      summary["max_depth_mm"].is_null() ? "" : "deepest " + rounded("max_depth_mm", 1) + " mm, ";
+      summary["max_depth_mm"].is_null() ? "" : "deepest " + measure("max_depth_mm") + " mm, ";
   return "\noutcome     " + outcome + ": " + text("reason") +
-         (has_left ? "\nexit        " : "\nlast        ") +
-         with_digits(number("exit_speed_m_s"), 4) + " m/s at " + rounded("exit_angle_deg", 1) +
-         " deg to the plate, pitch " + rounded("pitch_deg", 1) + " deg, after " +
-         rounded("time_us", 0) + " us; " + depth + "path " + rounded("path_mm", 0) +
+         (has_left ? "\nexit        " : "\nlast        ") + measure("exit_speed_m_s") + " m/s at " +
+         rounded("exit_angle_deg", 1) + " deg to the plate, pitch " + rounded("pitch_deg", 1) +
+         " deg, after " + measure("time_us") + " us; " + depth + "path " + measure("path_mm") +
          " mm\nbalance     energy residual " + with_decimals(100. * number("energy_residual"), 2) +
          " % of the impact energy, momentum drift " + power("momentum_drift") +
          ", angular momentum drift " + power("angular_momentum_drift") + "\ncost        " +

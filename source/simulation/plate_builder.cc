@@ -49,7 +49,7 @@ Plate build_plate(const MPI_Comm communicator, const Scene &scene, const std::si
   const auto &plate = scene.plates[number];
   const Stencil stencil =
       make_stencil(plate.spacing, plate.horizon_ratio, plate.influence_function);
-  const auto bonds = bonds_of(scene, material_of(scene, number), stencil);
+  const auto bonds = bonds_of(scene, material_of(scene, plate), stencil);
   auto zone        = plate_zone(scene, plate, box, stencil);
   auto points =
       std::make_unique<PeridynamicBody>(communicator, static_cast<int>(number), box, stencil, bonds,
@@ -69,12 +69,12 @@ Plate build_plate(const MPI_Comm communicator, const Scene &scene, const std::si
 }
 } // namespace
 
-const MaterialParameters &material_of(const Scene &scene, const std::size_t plate)
+const MaterialParameters &material_of(const Scene &scene, const PlateParameters &plate)
 {
   for (const auto &material : scene.materials)
-    if (material.name == scene.plates[plate].material)
+    if (material.name == plate.material)
       return material;
-  throw InputError("There is no material '" + scene.plates[plate].material + "'.");
+  throw InputError("There is no material '" + plate.material + "'.");
 }
 
 double critical_stretch(const MaterialParameters &material, const Stencil &stencil)

@@ -6,8 +6,8 @@
 
 namespace ricochet
 {
-/// Of a plate by number. Throws InputError if the scene lacks it.
-const MaterialParameters &material_of(const Scene &scene, std::size_t plate);
+/// Throws InputError if the scene lacks it.
+const MaterialParameters &material_of(const Scene &scene, const PlateParameters &plate);
 
 /// Of all plates, from top to bottom, at rest. Collective. Throws InputError if one of them cannot
 /// be built.

@@ -62,11 +62,13 @@ Json damaged_boxes(const Simulation &simulation)
   auto boxes = Json::array();
   for (std::size_t i = 0; i < simulation.plates().size(); ++i)
   {
+    // Without the rounding of sums of spacings.
+    const double spacing   = simulation.plates()[i]->lattice().box().spacing;
     const auto [low, high] = simulation.damaged_box(i);
     auto box               = Json::array();
     for (int d = 0; d < 3 && low[d] <= high[d]; ++d)
       for (const double x : {low[d], high[d]})
-        box.push_back(std::round(1e3 * x / mm) / 1e3);
+        box.push_back(std::round(1e3 * x / spacing) * (spacing / mm) / 1e3);
     boxes.push_back(box);
   }
   return boxes;

@@ -44,7 +44,7 @@ Simulation::Simulation(const MPI_Comm communicator, const Scene &scene) :
 
 const MaterialParameters &Simulation::material(const std::size_t plate) const
 {
-  return material_of(scene_, plate);
+  return material_of(scene_, scene_.plates[plate]);
 }
 
 double Simulation::critical_stretch(const std::size_t plate) const

@@ -32,6 +32,17 @@ TEST(NumberText, EqualsThatOfPrintf)
     }
 }
 
+TEST(NumberText, PrecisionDoesNotDependOnTheUnit)
+{
+  EXPECT_EQ(with_precision(287.4, 3), "287");
+  EXPECT_EQ(with_precision(1287.4, 3), "1287");
+  EXPECT_EQ(with_precision(-1.3331, 3), "-1.33");
+  EXPECT_EQ(with_precision(0.012345, 3), "0.0123");
+  EXPECT_EQ(with_precision(0., 3), "0");
+  EXPECT_EQ(with_precision(std::numeric_limits<double>::quiet_NaN(), 3), "nan");
+  EXPECT_EQ(with_precision(std::numeric_limits<double>::infinity(), 3), "inf");
+}
+
 TEST(NumberText, ZerosFillUpAndNeverCutOff)
 {
   EXPECT_EQ(with_zeros(7, 4), "0007");

@@ -155,7 +155,7 @@ TEST(Run, DescriptionHasTheNumbersOfItsSummary)
   EXPECT_EQ(
       describe_run(summary),
       "\noutcome     ricochet: it has left\n"
-      "exit        287.4 m/s at 12.3 deg to the plate, pitch -3.2 deg, after 402 us; deepest 4.6 "
+      "exit        287 m/s at 12.3 deg to the plate, pitch -3.2 deg, after 402 us; deepest 4.56 "
       "mm, path 123 mm\n"
       "balance     energy residual 0.12 % of the impact energy, momentum drift nan, angular "
       "momentum drift 2e-13\n"

@@ -73,6 +73,7 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"scene/section_checks", "scene/test_section"},
     {"scene/stability_reader", "scene/test_stability_section"},
     {"scene/study_section", "scene/test_study_file"},
+    {"simulation/zone_cells", "simulation/test_plate_zone"},
     {"scene/time_section", "scene/test_scene_reader"},
     {"search/brute_force", "search/test_pair_search"},
     {"search/cell_grid", "search/test_pair_search"},

@@ -45,8 +45,8 @@ TEST(PlateBuilder, EachPlateHasTheMaterialItNames)
   scene.materials[1].name    = "lead";
   scene.materials[1].density = 11340.;
   scene.plates[1].material   = "lead";
-  EXPECT_EQ(material_of(scene, 0).density, 1190.);
-  EXPECT_EQ(material_of(scene, 1).density, 11340.);
+  EXPECT_EQ(material_of(scene, scene.plates[0]).density, 1190.);
+  EXPECT_EQ(material_of(scene, scene.plates[1]).density, 11340.);
   const auto plates = build_plates(MPI_COMM_SELF, scene);
   // A cube of 1 mm each.
   EXPECT_NEAR(plates[0].points->point_mass(), 1190e-9, 1e-18);

@@ -2,7 +2,7 @@
 #include "ricochet/simulation/run_summary.h"
 
 #include "ricochet/simulation/observation.h"
-#include "support/small_scene.h"
+#include "support/similar_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +72,31 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
   ASSERT_EQ(summary["zones"].size(), 2u);
   EXPECT_EQ(summary["zones"][0].size(), 2u);
   EXPECT_EQ(summary["zones"][0]["share_of_volume"], 1.);
+}
+
+TEST(RunSummary, DamagedBoxesAreThoseOfSmallScenesToo)
+{
+  std::vector<double> boxes[2];
+  for (const double length : {1., 0x1p-20}) // of micrometres
+  {
+    Simulation simulation(MPI_COMM_WORLD, similar(small_scene(), {length, 1., 1.}));
+    for (int step = 0; step < 60; ++step)
+    {
+      simulation.compute_forces(false);
+      simulation.advance();
+    }
+    const OutcomeWatch watch(simulation);
+    boxes[length < 1.] = run_summary({simulation, watch, {}, {}, {}}, {})["damaged_boxes_mm"][0]
+                             .get<std::vector<double>>();
+  }
+  ASSERT_EQ(boxes[0].size(), 6u);
+  ASSERT_EQ(boxes[1].size(), 6u);
+  for (int i = 0; i < 6; ++i)
+  {
+    // Points lie in the middle of cubes of 1 mm.
+    EXPECT_EQ(std::abs(std::remainder(boxes[0][i], 1.)), 0.5);
+    EXPECT_DOUBLE_EQ(boxes[1][i], 0x1p-20 * boxes[0][i]);
+  }
 }
 
 TEST(RunSummary, WithoutStatedTimesThereAreNoPositions)

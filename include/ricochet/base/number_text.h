@@ -2,6 +2,8 @@
 // Numbers as people read them.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -23,6 +25,16 @@ inline std::string with_digits(const double value, const int n)
   std::ostringstream text;
   text << std::setprecision(n) << value;
   return text.str();
+}
+
+/// With so many significant digits at least, whole numbers in full: "1234", "12.3", "0.0123". Every
+/// value is as precise as another, whatever its unit is good for.
+inline std::string with_precision(const double value, const int n)
+{
+  const double size = std::abs(value);
+  const bool plain  = std::isfinite(value) && value != 0.;
+  return with_decimals(
+      value, plain ? std::max(0, n - 1 - static_cast<int>(std::floor(std::log10(size)))) : 0);
 }
 
 /// Always with a power of ten and so many digits behind the point: "1.2e-05".
