@@ -13,11 +13,8 @@
 #include "ricochet/output/progress.h"
 #include "ricochet/output/summary.h"
 #include "ricochet/scene/scene_reader.h"
-<<<<<<< HEAD
 #include "ricochet/simulation/observation.h"
-=======
 #include "ricochet/simulation/plate_size.h"
->>>>>>> fields
 #include "ricochet/simulation/run_summary.h"
 #include "ricochet/simulation/sanity_check.h"
 #include "run_warnings.h"

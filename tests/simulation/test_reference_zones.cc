@@ -2,6 +2,7 @@
 // The zones of the scenes in prm/ on which doc/coupling.md and doc/viscoelastic.md report: their
 // cells are part of what was measured, so a change of the corridor must not move them unnoticed.
 #include "ricochet/scene/scene_reader.h"
+#include "ricochet/simulation/plate_size.h"
 #include "ricochet/simulation/plate_zone.h"
 
 #include <gtest/gtest.h>

@@ -85,7 +85,7 @@ TEST(RunSummary, DamagedBoxesAreThoseOfSmallScenesToo)
       simulation.compute_forces(false);
       simulation.advance();
     }
-    const OutcomeWatch watch(simulation);
+    const OutcomeWatch watch = watch_of(simulation);
     boxes[length < 1.] = run_summary({simulation, watch, {}, {}, {}}, {})["damaged_boxes_mm"][0]
                              .get<std::vector<double>>();
   }

@@ -3,6 +3,7 @@
 // the computation of one half.
 #include "ricochet/simulation/run_summary.h"
 
+#include "ricochet/simulation/observation.h"
 #include "support/coupled_scene.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +66,7 @@ void add_fields(const Json &summary, Report &report)
 Report report_of(const Scene &scene, const int n_steps)
 {
   Simulation simulation(MPI_COMM_WORLD, scene);
-  OutcomeWatch watch(simulation);
+  OutcomeWatch watch = watch_of(simulation);
   DamageReport damage(MPI_COMM_WORLD, simulation);
   RunNotes notes;
   notes.n_points      = simulation.n_points();
@@ -74,7 +75,7 @@ Report report_of(const Scene &scene, const int n_steps)
   for (int i = 0; i < n_steps; ++i)
   {
     simulation.compute_forces(false);
-    watch.update();
+    watch.update(observe(simulation));
     simulation.advance();
   }
   simulation.compute_forces(true);
