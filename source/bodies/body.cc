@@ -5,26 +5,6 @@
 
 namespace ricochet
 {
-Energies &Energies::operator+=(const Energies &other)
-{
-  kinetic += other.kinetic;
-  strain += other.strain;
-  hourglass += other.hourglass;
-  fracture += other.fracture;
-  viscous += other.viscous;
-  absorbed += other.absorbed;
-  conversion += other.conversion;
-  drive += other.drive;
-  return *this;
-}
-
-Energies operator*(const double factor, const Energies &energies)
-{
-  const auto &e = energies;
-  return {factor * e.kinetic, factor * e.strain,   factor * e.hourglass,  factor * e.fracture,
-          factor * e.viscous, factor * e.absorbed, factor * e.conversion, factor * e.drive};
-}
-
 Momenta &Momenta::operator+=(const Momenta &other)
 {
   linear += other.linear;

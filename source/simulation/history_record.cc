@@ -27,7 +27,7 @@ double tip_depth(const Simulation &simulation)
 
 using M = const Moment &;
 
-const std::vector<HistoryColumn> columns{
+const std::vector<HistoryColumn> motion_columns{
     {"time", "us", [](M m) { return m.simulation.time() / us; }, "since the start of the run"},
     {"x", "mm", [](M m) { return motion(m).position.x() / mm; },
      "centroid of the projectile; it flies along x"},
@@ -44,8 +44,7 @@ const std::vector<HistoryColumn> columns{
      "of the projectile's centroid"},
     {"pitch", "deg", [](M m) { return m.simulation.projectile().pitch() / deg; },
      "of the projectile's axis against the plates, seen from the side: nose up is positive, "
-     "counted "
-     "on beyond a quarter turn"},
+     "counted on beyond a quarter turn"},
     {"spin x", "rad/s", [](M m) { return motion(m).spin.x(); },
      "angular velocity of the projectile"},
     {"spin y", "rad/s", [](M m) { return motion(m).spin.y(); },
@@ -71,40 +70,33 @@ const std::vector<HistoryColumn> columns{
     {"support y", "kN", [](M m) { return m.support.y() / 1e3; },
      "force of the supports on the plates"},
     {"support z", "kN", [](M m) { return m.support.z() / 1e3; },
-     "force of the supports on the plates"},
-    {"energy projectile", "J", [](M m) { return m.totals.energies.projectile; },
-     "kinetic energy of the projectile"},
-    {"energy elastic", "J", [](M m) { return m.totals.energies.elastic; },
-     "stored in the deformation of the projectile"},
-    {"energy kinetic", "J", [](M m) { return m.totals.energies.kinetic; }, "of the plates"},
-    {"energy strain", "J", [](M m) { return m.totals.energies.strain; },
-     "stored in the plates' intact bonds and elements"},
-    {"energy hourglass", "J", [](M m) { return m.totals.energies.hourglass; },
-     "stored in the hourglass modes of one-point elements"},
-    {"loss conversion", "J", [](M m) { return m.totals.energies.conversion; },
-     "lost where elements became points"},
-    {"energy contact", "J", [](M m) { return m.totals.energies.contact; },
-     "stored in the penalty springs between projectile and plates"},
-    {"energy debris", "J", [](M m) { return m.totals.energies.debris; },
-     "stored in the repulsion of debris and between plates"},
-    {"work friction", "J", [](M m) { return m.totals.energies.friction; },
-     "turned into heat between projectile and plates"},
-    {"work debris friction", "J", [](M m) { return m.totals.energies.debris_friction; },
-     "turned into heat between plates and in debris"},
-    {"energy fracture", "J", [](M m) { return m.totals.energies.fracture; },
-     "released by broken bonds"},
-    {"energy viscous", "J", [](M m) { return m.totals.energies.viscous; },
-     "turned into heat by relaxation"},
-    {"energy absorbed", "J", [](M m) { return m.totals.energies.absorbed; },
-     "has left through edges that do not reflect"},
-    {"work drive", "J", [](M m) { return m.totals.energies.drive; },
-     "received from what keeps a projectile of prescribed velocity going"},
+     "force of the supports on the plates"}};
+
+const std::vector<HistoryColumn> balance_columns{
     {"energy residual", "J", [](M m) { return m.totals.energies.residual(); },
      "initial energy plus the work of the drive minus all else of the above: what the balance does "
      "not account for"},
     {"residual relative", "-", [](M m) { return m.totals.relative_residual(); },
      "the same as a share of the initial energy"},
     {"broken bonds", "-", [](M m) { return m.totals.broken_bonds; }, "so far, each counted once"}};
+
+/// A column for every row of energies.
+template <class Rows>
+void append(std::vector<HistoryColumn> &columns, const Rows &rows)
+{
+  for (const auto &row : rows)
+    columns.push_back({row.name, "J", [value = row.value](M m) { return m.totals.energies.*value; },
+                       row.meaning});
+}
+
+std::vector<HistoryColumn> all_columns()
+{
+  auto columns = motion_columns;
+  append(columns, balance_rows);
+  append(columns, energy_rows);
+  columns.insert(columns.end(), balance_columns.begin(), balance_columns.end());
+  return columns;
+}
 } // namespace
 
 Totals totals_of(const Simulation &simulation)
@@ -114,14 +106,15 @@ Totals totals_of(const Simulation &simulation)
 
 const std::vector<HistoryColumn> &history_columns()
 {
+  static const std::vector<HistoryColumn> columns = all_columns();
   return columns;
 }
 
 std::vector<double> history_record(const Moment &moment)
 {
   std::vector<double> record;
-  record.reserve(columns.size());
-  for (const HistoryColumn &column : columns)
+  record.reserve(history_columns().size());
+  for (const HistoryColumn &column : history_columns())
     record.push_back(column.value(moment));
   return record;
 }

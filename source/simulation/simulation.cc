@@ -223,8 +223,10 @@ std::pair<Vector3, Vector3> Simulation::target_box() const
 EnergyBalance Simulation::energies() const
 {
   EnergyBalance e;
-  e.initial             = initial_energy_;
+  for (const auto &plate : plates_)
+    e += plate.body->multiplicity() * plate.body->energies(dt_);
   const auto projectile = projectile_->multiplicity() * projectile_->energies(dt_);
+  e.initial             = initial_energy_;
   e.projectile          = projectile.kinetic;
   e.drive               = projectile.drive;
   e.elastic             = projectile.strain + projectile.hourglass;
@@ -232,16 +234,6 @@ EnergyBalance Simulation::energies() const
   e.debris              = short_range_contact_->energy();
   e.friction            = -projectile_contact_->friction_work();
   e.debris_friction     = 0. - short_range_contact_->friction_work(); // not -0
-  Energies sum;
-  for (const auto &plate : plates_)
-    sum += plate.body->multiplicity() * plate.body->energies(dt_);
-  e.kinetic    = sum.kinetic;
-  e.strain     = sum.strain;
-  e.hourglass  = sum.hourglass;
-  e.viscous    = sum.viscous;
-  e.absorbed   = sum.absorbed;
-  e.conversion = sum.conversion;
-  e.fracture   = sum.fracture;
   return e;
 }
 

@@ -22,6 +22,7 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"commands/main", "commands/test_command_line"},
     {"commands/result_folder", "commands/test_run"},
     {"commands/several_processes", "commands/test_command_line"},
+    {"commands/warning", "commands/test_run_warnings"},
     // All searches find exactly what the double loop finds.
     {"contact/body_skin", "contact/test_contact_search"},
     {"contact/broken_bond_pairs", "contact/test_contact_search"},

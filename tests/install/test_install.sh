@@ -18,8 +18,8 @@ cmake -S "$source/tests/install/consumer" -B "$scratch/consumer" -G Ninja -DCMAK
 cmake --build "$scratch/consumer"
 said=$("$scratch/consumer/consumer" "$scratch/first/share/ricochet/prm/quickstart.prm")
 echo "$said"
-# 200 x 100 x 30 mm at 1.5 mm, of which the half y > 0 is computed: 133 x 33 x 20 points.
-[[ $said == *" 87780 points, "* ]] || fail "the consumer said: $said"
+# 200 x 100 x 30 mm at 1.5 mm: 133 x 66 x 20 points.
+[[ $said == *" 175560 points, "* ]] || fail "the consumer said: $said"
 
 mv "$scratch/first" "$scratch/moved"
 moved=$scratch/moved

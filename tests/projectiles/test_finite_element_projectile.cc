@@ -86,9 +86,9 @@ TEST_P(DeformableHalfModel, EqualsTheFullModelBeforeDamage)
       EXPECT_LT((f.position - h.position).norm(), 1e-10 * 1e-3);
       EXPECT_LT((f.spin - h.spin).norm(), 1e-10 * 1e4);
       const auto e = full.energies(), g = half.energies();
-      for (const auto term :
-           {&EnergyBalance::projectile, &EnergyBalance::elastic, &EnergyBalance::kinetic,
-            &EnergyBalance::strain, &EnergyBalance::contact, &EnergyBalance::friction})
+      for (const auto term : std::initializer_list<double EnergyBalance::*>{
+               &EnergyBalance::projectile, &EnergyBalance::elastic, &EnergyBalance::kinetic,
+               &EnergyBalance::strain, &EnergyBalance::contact, &EnergyBalance::friction})
         EXPECT_NEAR(e.*term, g.*term, 1e-10 * e.initial);
       EXPECT_EQ(full.reaction().n_touching, half.reaction().n_touching);
     }

@@ -154,10 +154,10 @@ protected:
         EXPECT_LT((f.position - h.position).norm(), tolerance * 1e-3) << "step " << i;
         EXPECT_LT((f.spin - h.spin).norm(), tolerance * 1e4) << "step " << i;
         const auto e = full.energies(), g = half.energies();
-        for (const auto term :
-             {&EnergyBalance::projectile, &EnergyBalance::kinetic, &EnergyBalance::strain,
-              &EnergyBalance::contact, &EnergyBalance::debris, &EnergyBalance::friction,
-              &EnergyBalance::fracture, &EnergyBalance::initial, &EnergyBalance::viscous})
+        for (const auto term : std::initializer_list<double EnergyBalance::*>{
+                 &EnergyBalance::projectile, &EnergyBalance::kinetic, &EnergyBalance::strain,
+                 &EnergyBalance::contact, &EnergyBalance::debris, &EnergyBalance::friction,
+                 &EnergyBalance::fracture, &EnergyBalance::initial, &EnergyBalance::viscous})
           EXPECT_NEAR(e.*term, g.*term, tolerance * e.initial) << "step " << i;
         EXPECT_EQ(full.broken_bonds(), half.broken_bonds());
         EXPECT_EQ(full.n_bonds(), half.n_bonds());

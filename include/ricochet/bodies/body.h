@@ -7,6 +7,7 @@
 #pragma once
 
 #include "ricochet/base/vector.h"
+#include "ricochet/bodies/energies.h"
 #include "ricochet/bodies/vibration.h"
 
 #include <memory>
@@ -14,26 +15,6 @@
 
 namespace ricochet
 {
-/// What a body holds and what it has given away so far [J].
-struct Energies
-{
-  double kinetic    = 0.; // see Body::energies()
-  double strain     = 0.; // in intact bonds and elements
-  double hourglass  = 0.; // in the hourglass modes of one-point elements
-  double fracture   = 0.; // released by broken bonds so far
-  double viscous    = 0.; // turned into heat by relaxation so far
-  double absorbed   = 0.; // by edges that do not reflect, so far
-  double conversion = 0.; // lost so far where elements became points
-  double drive      = 0.; // received so far from what prescribes a motion
-
-  /// Entry by entry.
-  Energies &operator+=(const Energies &other);
-  /// What it holds now: the sum that the scheme conserves while nothing breaks or relaxes.
-  double held() const { return kinetic + strain + hourglass; }
-};
-/// Entry by entry.
-Energies operator*(double factor, const Energies &energies);
-
 /// Of a body or several.
 struct Momenta
 {

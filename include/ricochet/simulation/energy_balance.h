@@ -4,35 +4,51 @@
 #pragma once
 
 #include "ricochet/base/vector.h"
+#include "ricochet/bodies/energies.h"
 
 namespace ricochet
 {
-/// [J]
-struct EnergyBalance
+/// Those of the plates, with the drive of the projectile, and all others [J].
+struct EnergyBalance : Energies
 {
-  double projectile      = 0.; // kinetic
-  double elastic         = 0.; // in a deformable projectile
-  double kinetic         = 0.; // of the plates
-  double strain          = 0.; // in intact bonds and elements
-  double hourglass       = 0.; // in the hourglass modes of one-point elements
-  double conversion      = 0.; // lost where elements became points
-  double contact         = 0.; // in the penalty springs between projectile and plates
-  double debris          = 0.; // in the repulsion of debris
-  double friction        = 0.; // turned into heat between projectile and plates
-  double fracture        = 0.; // released by broken bonds
   double initial         = 0.; // kinetic energy of the projectile at the start
-  double viscous         = 0.; // turned into heat by relaxation
-  double absorbed        = 0.; // by edges that do not reflect
-  double debris_friction = 0.; // turned into heat between plates and in debris
-  double drive           = 0.; // received from what prescribes the projectile's motion
+  double projectile      = 0.;
+  double elastic         = 0.;
+  double contact         = 0.;
+  double debris          = 0.;
+  double friction        = 0.;
+  double debris_friction = 0.;
 
   /// What the balance does not account for [J].
-  double residual() const
-  {
-    return initial + drive - projectile - elastic - kinetic - strain - hourglass - conversion -
-           contact - debris - friction - debris_friction - fracture - viscous - absorbed;
-  }
+  double residual() const;
 };
+
+/// All of EnergyBalance that is not in Energies, but for the initial one.
+inline constexpr EnergyRow<EnergyBalance> balance_rows[] = {
+    {&EnergyBalance::projectile, EnergyAccount::held, "energy projectile",
+     "kinetic energy of the projectile"},
+    {&EnergyBalance::elastic, EnergyAccount::held, "energy elastic",
+     "stored in the deformation of the projectile"},
+    {&EnergyBalance::contact, EnergyAccount::held, "energy contact",
+     "stored in the penalty springs between projectile and plates"},
+    {&EnergyBalance::debris, EnergyAccount::held, "energy debris",
+     "stored in the repulsion of debris and between plates"},
+    {&EnergyBalance::friction, EnergyAccount::given, "work friction",
+     "turned into heat between projectile and plates"},
+    {&EnergyBalance::debris_friction, EnergyAccount::given, "work debris friction",
+     "turned into heat between plates and in debris"}};
+
+inline double EnergyBalance::residual() const
+{
+  double left      = initial;
+  const auto count = [&left](const double energy, const EnergyAccount account)
+  { left += account == EnergyAccount::received ? energy : -energy; };
+  for (const auto &row : balance_rows)
+    count(this->*row.value, row.account);
+  for (const auto &row : energy_rows)
+    count(this->*row.value, row.account);
+  return left;
+}
 
 /// With a symmetry plane only the components that it leaves free are non-zero.
 struct MomentumBalance

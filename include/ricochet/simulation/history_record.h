@@ -4,6 +4,7 @@
 
 #include "ricochet/simulation/simulation.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,10 @@ struct Moment
 /// nothing else.
 struct HistoryColumn
 {
-  std::string name;                      // without comma and slash
-  std::string unit;                      // "-" if dimensionless
-  double (*value)(const Moment &moment); // in that unit
-  std::string meaning;                   // half a sentence, for the user
+  std::string name;                                  // without comma and slash
+  std::string unit;                                  // "-" if dimensionless
+  std::function<double(const Moment &moment)> value; // in that unit
+  std::string meaning;                               // half a sentence, for the user
 };
 
 /// In the order of the file.

@@ -22,8 +22,8 @@ struct PlateZone
 /// s_c from the material: given, or from the energy release rate on this stencil [-].
 double critical_stretch(const MaterialParameters &material, const Stencil &stencil);
 
-/// `plate` is one of the scene's, `box` its lattice. Throws InputError if the zone leaves nothing to the elements' side
-/// or cannot be represented.
+/// `plate` is one of the scene's, `box` its lattice. Throws InputError if the zone leaves nothing
+/// to the elements' side or cannot be represented.
 PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lattice::Box &box,
                      const Stencil &stencil);
 } // namespace ricochet
