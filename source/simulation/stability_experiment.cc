@@ -4,7 +4,6 @@
 #include "ricochet/base/units.h"
 #include "ricochet/coupling/dispersion.h"
 #include "ricochet/dynamics/largest_frequency.h"
-#include "ricochet/materials/bond_laws.h"
 
 #include <algorithm>
 #include <cmath>
