@@ -21,7 +21,7 @@ constexpr double coincidence = 1e-6; // of the diameter
 
 [[noreturn]] void refuse(const std::string &what, const std::string &remedy)
 {
-  throw InputError("The mesh of the projectile " + what + ".\n  " + remedy);
+  throw InputError("Projectile/Mesh: The mesh of the projectile " + what + ".\n  " + remedy);
 }
 
 std::string in_mm(const double x)

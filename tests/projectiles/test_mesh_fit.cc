@@ -182,11 +182,10 @@ TEST(MeshFit, ATipAtTheLowerEndIsRefused)
   for (const auto &[name, shape] : shapes)
   {
     if (shape.nose == NoseShape::flat || shape.nose == NoseShape::sphere)
-      EXPECT_EQ(complaint(reversed(mesh_of(shape)), shape), "") << name << " has two equal ends";
+      EXPECT_EQ(complaint(reversed(mesh_of(shape, 1)), shape), "") << name << " has two equal ends";
     else
-      for (const int refinement : {1, 2})
-        expect_complaint(reversed(mesh_of(shape, refinement)), shape,
-                         {"tip at the lower end", "Turn it round"});
+      expect_complaint(reversed(mesh_of(shape, 1)), shape,
+                       {"tip at the lower end", "Turn it round"});
   }
   expect_complaint(half(reversed(mesh_of(core))), core, {"tip at the lower end"},
                    /*symmetric=*/true);
@@ -315,9 +314,10 @@ TEST(MeshFit, PiecesAndGapsAreRefused)
 
 TEST(MeshFit, LengthsThatJustPassMayNotAddUpToAnotherVolume)
 {
-  const auto scaled = [](const double along, const double across)
+  const HexSolid mesh = mesh_of(cylinder, 3); // round enough for diameters at their limit
+  const auto scaled   = [&](const double along, const double across)
   {
-    return moved(mesh_of(cylinder, 3),
+    return moved(mesh,
                  [=](Vector3 &x) { x = Vector3(along * x.x(), across * x.y(), across * x.z()); });
   };
   EXPECT_EQ(complaint(scaled(1., 1.055), cylinder), "");
