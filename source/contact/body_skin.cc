@@ -15,7 +15,8 @@ namespace
 constexpr double steps_ahead   = 12.;
 constexpr double thinnest_skin = 0.1; // [spacings]
 
-// Sound points so many lattice steps around damage are active like damaged ones: cracks grow there.
+// Sound points so many lattice steps around damage and rims are active like those: cracks grow
+// there.
 // By judgement, too: a point further away that breaks a bond is searched alone.
 constexpr int band = 2;
 } // namespace
@@ -82,7 +83,7 @@ void BodySkin::mark_active_near_damage()
   const Lattice &l = body_.lattice();
   std::vector<char> near(l.size()), before;
   for (std::ptrdiff_t p = 0; p < l.size(); ++p)
-    near[p] = body_.is_damaged(p);
+    near[p] = body_.is_open(p);
   // One axis after the other. Steps across the end of a row mark a few points too many.
   for (const std::ptrdiff_t stride :
        {std::ptrdiff_t(1), l.index(0, 0, 1) - l.index(0, 0, 0), l.plane_stride()})

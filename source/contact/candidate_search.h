@@ -20,7 +20,7 @@ struct ContactPoint
   std::int32_t rank;
   std::int32_t flat;   // of the point or its original, in its body's lattice on that rank
   std::int32_t number; // among the candidates of that rank
-  bool damaged, image;
+  bool open, image;
   bool active; // pairs of two points that are not are of no interest
 };
 

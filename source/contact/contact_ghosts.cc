@@ -81,7 +81,7 @@ ContactGhosts::Ghost ContactGhosts::ghost_of(const Source &source) const
   const auto p     = source.flat;
   const double y   = source.image ? -1. : 1.;
   return {{a.position[0][p], y * a.position[1][p], a.position[2][p]},
-          body.is_damaged(p) ? 1. : 0.,
+          body.is_open(p) ? 1. : 0.,
           {a.velocity[0][p], y * a.velocity[1][p], a.velocity[2][p]}};
 }
 

@@ -22,7 +22,7 @@ public:
   struct Ghost
   {
     double position[3]; // [m]
-    double damaged;     // 0 or 1
+    double open;        // 0 or 1
     double velocity[3]; // half a step ago [m/s]
   };
 

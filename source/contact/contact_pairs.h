@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Lists the pairs of points that may touch though no bond connects them, for
 // contact/short_range_contact.h: two points of one body if their bond is broken, or if they never
-// had one and at least one of them is damaged; points of different bodies always.
+// had one and at least one of them is open (damaged, or at the rim of a hole); points of different
+// bodies always.
 //
 // Every few steps all pairs that can touch before the next search are listed: each point has a skin
 // of its own (contact_skin.h). The few points that leave it earlier, fragments that something has

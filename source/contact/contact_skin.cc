@@ -186,7 +186,7 @@ ContactPoint ContactSkin::contact_point(const std::size_t body, const std::ptrdi
           rank_,
           static_cast<std::int32_t>(p),
           -1,
-          bodies_[body]->is_damaged(p),
+          bodies_[body]->is_open(p),
           false,
           skin.is_active(p)};
 }

@@ -138,7 +138,7 @@ void ShortRangeContact::add_non_bonded_forces(const double dt)
         const auto &a = ghosts[pair.a], &b = ghosts[pair.b];
         return is_touching((vector(b.position) - vector(a.position)).squaredNorm(),
                            pair.distance) &&
-               (!pair.one_body || a.damaged + b.damaged > 0.);
+               (!pair.one_body || a.open + b.open > 0.);
       },
       [&](const Pair &one, const Pair &other)
       {

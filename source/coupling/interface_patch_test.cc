@@ -21,6 +21,31 @@ constexpr double strain = 1e-6;
 
 using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
+/// Columns of cells, x major, with points that lack neighbours at a hole or a crack, or have
+/// neighbours that do: a constant strain is no equilibrium there.
+std::vector<char> columns_near_openings(const MPI_Comm communicator, const PeridynamicBody &points)
+{
+  const Lattice &lattice = points.lattice();
+  const auto &n          = lattice.zone()->n_cells();
+  const int edge = lattice.zone()->points_per_edge(), reach = lattice.stencil().reach;
+  std::vector<char> near(static_cast<std::size_t>(n[0]) * n[1], 0);
+  lattice.for_each_owned(
+      [&](const std::ptrdiff_t p)
+      {
+        if (!points.is_open(p))
+          return;
+        const auto cell = points.cell_of(p);
+        // Points at a rim are next to the hole; those at a crack are all that have lost a bond.
+        const int r     = ((points.is_damaged(p) ? reach : 2 * reach) + edge - 1) / edge;
+        for (int i = std::max(0, cell[0] - r); i <= std::min(n[0] - 1, cell[0] + r); ++i)
+          for (int j = std::max(0, cell[1] - r); j <= std::min(n[1] - 1, cell[1] + r); ++j)
+            near[static_cast<std::size_t>(i) * n[1] + j] = 1;
+      });
+  MPI_Allreduce(MPI_IN_PLACE, near.data(), static_cast<int>(near.size()), MPI_CHAR, MPI_MAX,
+                communicator);
+  return near;
+}
+
 class Patch
 {
 public:
@@ -39,9 +64,16 @@ public:
         });
     // Stiffness goes like modulus times edge, and mass like the edge to the third.
     const double of_points = std::cbrt(1. / plate.points().point_mass());
+    const auto openings    = columns_near_openings(communicator, plate.points());
     for (const auto p : points_)
+    {
+      const auto cell = plate.points().cell_of(p);
+      const bool softened =
+          in_softened_layer(lattice_, point_at(p)) ||
+          openings[static_cast<std::size_t>(cell[0]) * lattice_.zone()->n_cells()[1] + cell[1]];
       for (int d = 0; d < 3; ++d)
-        softness_.push_back(in_softened_layer(lattice_, point_at(p)) ? 0. : of_points);
+        softness_.push_back(softened ? 0. : of_points);
+    }
     for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
       for (int d = 0; d < 3; ++d)
         softness_.push_back(in_softened_layer(lattice_, mesh_.reference_position(node))

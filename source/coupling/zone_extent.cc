@@ -11,8 +11,6 @@ namespace
 {
 constexpr double half_width = 1.5; // beside the path [calibres]
 constexpr double run_out    = 5.;  // beyond the path [calibres]
-// The interface must keep away from what breaks.
-constexpr double margin     = 2.; // [horizons]
 
 // R/(d sqrt(N)), see ricochet_radius(): the mean of runs of the single plate at 720 m/s and 10, 20
 // and 30 degrees, R = 110 mm; runs with other speeds, masses, calibres and strengths have 0.7 to
@@ -36,7 +34,7 @@ Path path_of(const ImpactOnPlate &impact)
 
 double side_of(const ImpactOnPlate &impact)
 {
-  return half_width * impact.calibre + margin * impact.horizon;
+  return half_width * impact.calibre + interface_margin * impact.horizon;
 }
 } // namespace
 
@@ -76,14 +74,14 @@ ZoneChoice growth_limit(const ImpactOnPlate &impact)
 
 double growth_ahead(const ImpactOnPlate &impact)
 {
-  return impact.calibre + margin * impact.horizon;
+  return impact.calibre + interface_margin * impact.horizon;
 }
 
 ZoneChoice entry_zone(const ImpactOnPlate &impact)
 {
   const double tangent = std::tan(impact.incidence_angle);
   const double before  = impact.depth / tangent;
-  const double side    = impact.calibre + margin * impact.horizon;
+  const double side    = impact.calibre + interface_margin * impact.horizon;
   ZoneChoice choice{impact.entry_x + before - side, impact.entry_x + before + side + impact.calibre,
                     impact.entry_y - side, impact.entry_y + side, ""};
   char text[300];

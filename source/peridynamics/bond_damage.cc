@@ -25,15 +25,71 @@ BondDamage::BondDamage(const Lattice &lattice, const LatticeState &state,
 {
   const std::size_t n_blocks = lattice.size() / Lattice::block_size;
   sound_.assign(state.arrays.bonds, state.arrays.bonds + n_blocks * shifts_.size());
-  damaged_.assign(lattice.size(), 0);
+  open_.assign(lattice.size(), 0);
   log_.make_room(kernel, n_blocks);
   count_families(lattice);
+  if (lattice.has_cutouts())
+    find_rims();
+}
+
+/// Contact reaches no further than the next point: walls that come nearer have one of these.
+void BondDamage::find_rims()
+{
+  for (const auto &range : lattice_.existing_ranges())
+    for (std::ptrdiff_t p = range.first * Lattice::block_size; p < range.last * Lattice::block_size;
+         ++p)
+    {
+      if (!lattice_.exists(p))
+        continue;
+      const auto c = lattice_.coordinates(p);
+      for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+          for (int z = -1; z <= 1; ++z)
+            if (lattice_.is_cut_out({c[0] + x, c[1] + y, c[2] + z}))
+              open_[p] |= at_rim;
+    }
+}
+
+double BondDamage::sever(LatticeState &state,
+                         const std::function<bool(const Vector3 &, const Vector3 &)> &crosses)
+{
+  double n_ends            = 0.;
+  const auto &offsets      = lattice_.stencil().offsets;
+  std::uint8_t *const bond = state.arrays.bonds;
+  for (std::ptrdiff_t p = 0; p < lattice_.owned_end(); ++p)
+  {
+    if (!lattice_.exists(p))
+      continue;
+    const auto c            = lattice_.coordinates(p);
+    const Vector3 X         = lattice_.reference_position(c);
+    const std::size_t first = p / Lattice::block_size * offsets.size();
+    const std::uint8_t lane = std::uint8_t(1u << (p % Lattice::block_size));
+    for (std::size_t k = 0; k < offsets.size(); ++k)
+    {
+      const auto &o = offsets[k];
+      if ((bond[first + k] & lane) == 0 ||
+          !crosses(X, lattice_.reference_position({c[0] + o.x, c[1] + o.y, c[2] + o.z})))
+        continue;
+      bond[first + k] &= static_cast<std::uint8_t>(~lane);
+      for (const std::ptrdiff_t end : {p, p + lattice_.shift(o)})
+      {
+        open_[end] |= damaged;
+        n_ends += lattice_.owned(end) ? 1. : 0.;
+      }
+    }
+  }
+  return n_ends;
 }
 
 void BondDamage::mark_damaged()
 {
-  log_.for_each([&](const std::ptrdiff_t p, const std::ptrdiff_t q, std::size_t)
-                { damaged_[p] = damaged_[q] = 1; });
+  log_.for_each(
+      [&](const std::ptrdiff_t p, const std::ptrdiff_t q, std::size_t)
+
+      {
+        open_[p] |= damaged;
+        open_[q] |= damaged;
+      });
 }
 
 std::vector<std::uint8_t> BondDamage::follow_zone(const int first, const int last,
@@ -65,7 +121,7 @@ std::vector<std::uint8_t> BondDamage::follow_zone(const int first, const int las
 void BondDamage::redistribute(const PlaneExchange &planes, const Lattice &share,
                               std::vector<std::uint8_t> sound, const LatticeKernel &kernel)
 {
-  planes.move(damaged_);
+  planes.move(open_);
   sound_ = std::move(sound);
   log_.make_room(kernel, share.size() / Lattice::block_size);
   log_.clear();
@@ -94,7 +150,7 @@ int BondDamage::family_size(const std::ptrdiff_t index, const std::uint8_t *bond
 
 double BondDamage::damage(const std::ptrdiff_t index) const
 {
-  if (sound_family_[index] == 0 || !damaged_[index])
+  if (sound_family_[index] == 0 || !is_damaged(index))
     return 0.;
   return 1. - double(family_size(index, state_.arrays.bonds)) / sound_family_[index];
 }

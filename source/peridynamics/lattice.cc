@@ -138,10 +138,17 @@ void Lattice::take_share(const int rank)
   find_ranges();
 }
 
+bool Lattice::is_cut_out(const std::array<int, 3> &c) const
+{
+  const int y = c[1] < 0 && box_.mirror_y ? -1 - c[1] : c[1];
+  return mask_ && c[0] >= 0 && c[0] < box_.n[0] && y >= 0 && y < box_.n[1] && c[2] >= 0 &&
+         c[2] < box_.n[2] && !mask_(c[0], y, c[2]);
+}
+
 PointKind Lattice::kind_at(const int x, const int y, const int z) const
 {
   const int folded = y < 0 ? -1 - y : y;
-  if (mask_ && !mask_(x, folded, z))
+  if (is_cut_out({x, folded, z}))
     return PointKind::absent;
   return zone_ == nullptr ? PointKind::free : zone_->kind(x, folded, z);
 }

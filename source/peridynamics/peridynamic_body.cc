@@ -60,6 +60,13 @@ void PeridynamicBody::find_blocks()
   blocks_ = find_bond_blocks(lattice_, damage_.sound_bonds(), state_.arrays.half_weight);
 }
 
+double PeridynamicBody::sever(const std::function<bool(const Vector3 &, const Vector3 &)> &crosses)
+{
+  double n_ends = damage_.sever(state_, crosses);
+  MPI_Allreduce(MPI_IN_PLACE, &n_ends, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+  return n_ends;
+}
+
 void PeridynamicBody::scale_energy(const std::vector<double> &factor)
 {
   state_.scale_weights(lattice_, factor);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plate_cutouts.h"
 #include "ricochet/base/units.h"
 #include "sections.h"
 #include "text_tools.h"
@@ -16,6 +17,7 @@ struct PlateEntries
 {
   PlateParameters &plate;
   const Scene &scene;
+  CutoutRows cutouts;
   std::array<std::array<double, 4>, 2> boxes = {};
   std::array<const Entry *, 2> box           = {};
   const Entry *size = nullptr, *spacing = nullptr, *horizon = nullptr, *material = nullptr,
@@ -188,7 +190,7 @@ Section plate_section(PlateParameters &plate, const unsigned int number, const S
 {
   Section in("Plate " + std::to_string(number),
              "The plates are numbered from top to bottom: Plate 1, Plate 2 and so on.");
-  const auto rows = std::make_shared<PlateEntries>(PlateEntries{plate, scene});
+  const auto rows = std::make_shared<PlateEntries>(PlateEntries{plate, scene, {plate, scene}});
   rows->size      = &in.required(
            "Size",
            quantities({&plate.length, &plate.width, &plate.thickness}, {"length", "width", "thickness"},
@@ -210,6 +212,7 @@ Section plate_section(PlateParameters &plate, const unsigned int number, const S
                                "0 mm", "Distance to the plate above; 0 for the first plate");
   add_zone_entries(in, *rows);
   add_support_entries(in, *rows);
+  rows->cutouts.add_to(in);
 
   in.check(
       [rows]
@@ -217,12 +220,14 @@ Section plate_section(PlateParameters &plate, const unsigned int number, const S
         rows->read_zone_boxes();
         rows->check_horizon();
         rows->check_number_of_points();
+        rows->cutouts.read();
       });
   in.check_with_others(
       [rows]
       {
         rows->check_edges();
         rows->check_clamps();
+        rows->cutouts.check_with_others();
         rows->check_gap();
         rows->check_material();
       });

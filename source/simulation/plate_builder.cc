@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plate_builder.h"
 
+#include "plate_cutouts.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/simulation/plate_size.h"
 #include "ricochet/simulation/plate_zone.h"
@@ -51,9 +52,11 @@ Plate build_plate(const MPI_Comm communicator, const Scene &scene, const std::si
       make_stencil(plate.spacing, plate.horizon_ratio, plate.influence_function);
   const auto bonds = bonds_of(scene, material_of(scene, plate), stencil);
   auto zone        = plate_zone(scene, plate, box, stencil);
+  const auto n     = static_cast<unsigned int>(number) + 1;
   auto points =
       std::make_unique<PeridynamicBody>(communicator, static_cast<int>(number), box, stencil, bonds,
-                                        Lattice::Mask{}, nullptr, zone.zone.get());
+                                        mask_of(plate.cutouts, box, n), nullptr, zone.zone.get());
+  sever_cracks(plate.cutouts, *points, n);
   auto *const seen = points.get();
   if (zone.zone == nullptr)
     return {std::move(points), seen, nullptr, zone.reason};

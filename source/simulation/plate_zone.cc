@@ -83,6 +83,11 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
     default:
       result.reason = "none: elastic finite elements";
   }
+  if (const auto around = cells.around_cutouts_of(plate); !around.empty())
+  {
+    boxes.insert(boxes.end(), around.begin(), around.end());
+    result.reason += "; and around holes, notches and cracks, with 2 horizons on all sides";
+  }
   result.zone->grow(boxes);
   result.options.absorbing_edges = plate.absorbing_edges;
   if (plate.absorbing_edges)

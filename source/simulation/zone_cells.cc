@@ -114,6 +114,15 @@ std::vector<Zone::Cells> ZoneCells::boxes_of(const PlateParameters &plate) const
   return cells;
 }
 
+std::vector<Zone::Cells> ZoneCells::around_cutouts_of(const PlateParameters &plate) const
+{
+  const double margin = interface_margin * plate.horizon_ratio * plate.spacing;
+  std::vector<Zone::Cells> cells;
+  for (const auto &c : plate.cutouts.columns())
+    cells.push_back(columns(c[0] - margin, c[1] + margin, c[2] - margin, c[3] + margin));
+  return cells;
+}
+
 Zone::Cells ZoneCells::widest(const ImpactOnPlate &impact) const
 {
   const auto corridor = of(corridor_zone(impact));
@@ -129,7 +138,7 @@ Zone::Cells ZoneCells::touchable() const
     depth += &plate == &scene_.plates.front() ? 0. : plate.gap;
     const Stencil stencil = stencil_of(plate);
     auto cells = hull({widest(impact_on(scene_, plate, depth, plate.thickness, stencil.horizon)),
-                       hull(boxes_of(plate))});
+                       hull(boxes_of(plate)), hull(around_cutouts_of(plate))});
     // Pad and halo of that plate, in cells of this one.
     const double layers =
         make_zone({1, 1, 1}, stencil, scene_.zone.coupling).slaved_layers() * plate.spacing;

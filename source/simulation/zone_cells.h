@@ -26,6 +26,8 @@ public:
   Zone::Cells of(const ZoneChoice &choice) const;
   /// Boxes that were asked for are filled.
   std::vector<Zone::Cells> boxes_of(const PlateParameters &plate) const;
+  /// Around holes, notches and cracks: no element may lie there.
+  std::vector<Zone::Cells> around_cutouts_of(const PlateParameters &plate) const;
   /// The corridor, or all that a growing zone may become.
   Zone::Cells widest(const ImpactOnPlate &impact) const;
   /// Where a plate must be ready to be touched: in a stack, wherever any plate has points or may

@@ -166,6 +166,17 @@ TEST(V24Ranks, EdgesThatDoNotReflectAreTheSame)
   EXPECT_GT(run(MPI_COMM_SELF, scene, 100).absorbed, 0.);
 }
 
+TEST(V24Ranks, GrowingZoneWithAHoleAndACrackIsTheSame)
+{
+  Scene scene         = coupled_scene();
+  scene.zone.adaptive = scene.zone.grows_everywhere = true;
+  scene.plates[0].length                            = 60e-3;
+  scene.plates[0].zone_boxes                        = {{4e-3, 16e-3, -6e-3, 6e-3}};
+  scene.plates[0].cutouts.holes                     = {{20e-3, 1e-3, 4e-3}};
+  scene.plates[0].cutouts.cracks                    = {{0, 13e-3, -3e-3, 4e-3, 0., 4e-3}};
+  expect_redistributions(expect_the_same_on_all_ranks(scene, 100));
+}
+
 TEST(V24Ranks, GrowingZoneIsTheSame)
 {
   Scene scene         = coupled_scene();

@@ -113,5 +113,61 @@ TEST(BondDamage, GrowingZoneAddsSoundBondsAndHealsNone)
   }
   EXPECT_GT(n_appeared, 1000u);
 }
+
+TEST(BondDamage, SeveredBondsAreDamageThatReleasesNothing)
+{
+  BodySample sample;
+  sample.n           = {8, 7, 7};
+  const auto body    = make_body(sample);
+  const double n     = body->count_bonds();
+  const auto crosses = [](const Vector3 &X, const Vector3 &Y)
+  { return (X.x() < 4e-3) != (Y.x() < 4e-3); };
+  const double n_ends = body->sever(crosses);
+  EXPECT_EQ(body->count_sound_bonds(), n);
+  EXPECT_EQ(body->count_bonds(), n - 0.5 * n_ends);
+  EXPECT_EQ(body->n_broken_bonds(), 0.);
+  // As many planes of points lie before the crack as a bond is long along x.
+  double expected = 0.;
+  for (const auto &o : body->lattice().stencil().offsets)
+    expected += std::abs(o.x) * (7 - std::abs(o.y)) * (7 - std::abs(o.z));
+  EXPECT_EQ(0.5 * n_ends, expected);
+  const double reach = body->lattice().stencil().reach * sample.spacing;
+  for_each_point(*body,
+                 [&](const std::ptrdiff_t p)
+                 {
+                   const bool near = std::abs(reference(*body, p).x() - 4e-3) < reach;
+                   EXPECT_EQ(body->is_damaged(p), near);
+                   EXPECT_EQ(body->is_open(p), near);
+                   EXPECT_EQ(body->damage(p) > 0., near);
+                 });
+  // The two halves part without a force.
+  deform(*body,
+         [&](const Vector3 &X) -> Vector3
+         { return X.x() < 4e-3 ? X : Vector3(X + Vector3(1e-3, 2e-3, 0.)); });
+  EXPECT_LT(largest_force(*body), 1e-9 * sample.family.law.bulk_modulus * 1e-6);
+  EXPECT_EQ(body->sever(crosses), 0.) << "broken already";
+}
+
+TEST(BondDamage, PointsAtTheRimOfAHoleAreOpenAndNotDamaged)
+{
+  for (const bool half : {false, true})
+  {
+    BodySample sample;
+    sample.mirror_y = half;
+    sample.mask     = [half](const int x, const int y, int)
+    { return x < 3 || x > 4 || (half ? y > 1 : y < 3 || y > 4); };
+    const auto body = make_body(sample);
+    for_each_point(*body,
+                   [&](const std::ptrdiff_t p)
+                   {
+                     const auto c = body->lattice().coordinates(p);
+                     const bool at_rim =
+                         c[0] >= 2 && c[0] <= 5 && (half ? c[1] <= 2 : c[1] >= 2 && c[1] <= 5);
+                     EXPECT_EQ(body->is_open(p), at_rim) << c[0] << " " << c[1];
+                     EXPECT_FALSE(body->is_damaged(p));
+                     EXPECT_EQ(body->damage(p), 0.);
+                   });
+  }
+}
 } // namespace
 } // namespace ricochet::tests

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ricochet::tests
 {
 namespace
@@ -74,6 +76,38 @@ TEST(DamageReport, NumbersAgreeWithTheMapsAndTheBondsThatBroke)
   }
   EXPECT_GT(lost, 10000.);
   EXPECT_NEAR(sum, lost, 1e-9 * lost);
+}
+
+TEST(DamageReport, HolesHaveNoValueAndCracksCountFromTheStart)
+{
+  for (const bool half : {false, true})
+  {
+    Scene scene                     = small_scene(); // 30 x 16 x 9 points
+    scene.symmetric                 = half;
+    scene.plates[0].cutouts.holes   = {{20e-3, 0., 2.9e-3}}; // 2 x 2 columns
+    scene.plates[0].cutouts.notches = {{5e-3, 6e-3, -2e-3, 2e-3, 0., 3e-3}};
+    const double sound              = Simulation(MPI_COMM_SELF, scene).n_bonds();
+    scene.plates[0].cutouts.cracks  = {{0, 12e-3, -8e-3, 8e-3, 0., 9e-3}};
+    const Impact impact(MPI_COMM_WORLD, scene, 0);
+    EXPECT_NEAR(impact.report.plates()[0].broken_share, 1. - impact.simulation.n_bonds() / sound,
+                1e-14);
+    EXPECT_GT(impact.report.plates()[0].front_area, 0.);
+    const auto map = impact.report.maps()[0];
+    int rank;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    for (int x = 0; rank == 0 && x < 30; ++x)
+      for (int y = 0; y < map.n_y; ++y)
+      {
+        const int from_middle = half ? y : y < 8 ? 7 - y : y - 8;
+        const bool hole       = (x == 19 || x == 20) && from_middle == 0,
+                   notch      = x == 5 && from_middle < 2;
+        const std::size_t at  = static_cast<std::size_t>(x) * map.n_y + y;
+        EXPECT_EQ(std::isnan(map.front[at]), hole || notch) << x << ' ' << y;
+        EXPECT_EQ(std::isnan(map.rear[at]), hole) << x << ' ' << y;
+        EXPECT_EQ(std::isnan(map.mean[at]), hole) << x << ' ' << y;
+        EXPECT_EQ(map.mean[at] > 0.3F, x == 11 || x == 12) << x << ' ' << y;
+      }
+  }
 }
 
 TEST(DamageReport, IsTheSameOnAnyNumberOfRanks)

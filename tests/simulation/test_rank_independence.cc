@@ -109,6 +109,16 @@ TEST(RankIndependence, TwoRelaxingPlatesWithDoubleHistoryAreExactlyTheSame)
       relaxing(two_plates(), HistoryPrecision::double_precision));
 }
 
+TEST(RankIndependence, PlatesWithHolesAndCracksAreExactlyTheSame)
+{
+  Scene scene                     = symmetric(small_scene());
+  scene.plates[0].cutouts.holes   = {{16e-3, 0., 4e-3}};
+  scene.plates[0].cutouts.notches = {{20e-3, 21e-3, -5e-3, 5e-3, 0., 4e-3}};
+  scene.plates[0].cutouts.cracks  = {{0, 10.5e-3, -3e-3, 3e-3, 0., 5e-3},
+                                     {1, 0., 22e-3, 29e-3, 2e-3, 9e-3}};
+  expect_the_same_on_any_number_of_ranks(scene);
+}
+
 TEST(RankIndependence, PlateTooShortForTheRanksIsRefused)
 {
   Scene scene            = small_scene();

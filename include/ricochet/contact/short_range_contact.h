@@ -5,8 +5,8 @@
 //   depth  d - r for r < d,   d = min(0.9 |X_j - X_i|, 1.35 dx)
 //   k      factor 18 K V^2 / (pi delta^5)
 // and friction bounded so that it never drives points back. Two points of one body touch if their
-// bond is broken, or if they never had one and at least one of them is damaged; points of different
-// bodies always do.
+// bond is broken, or if they never had one and at least one of them is damaged or lies at the rim
+// of a hole or notch; points of different bodies always do.
 //
 // Points do not rotate, so friction between two of them keeps linear momentum to rounding but not
 // angular momentum: what is missing is the couple of the two forces, whose arm is r.

@@ -9,6 +9,10 @@
 
 namespace ricochet
 {
+/// The interface keeps so far away from what breaks and from what is broken or missing from the
+/// start: points that feel elements, and their neighbours, then have all of theirs [horizons].
+constexpr double interface_margin = 2.;
+
 /// What the choice depends on.
 struct ImpactOnPlate
 {

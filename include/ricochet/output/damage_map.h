@@ -9,7 +9,8 @@
 
 namespace ricochet
 {
-/// One plate as a grid of n_x times n_y columns of points, y fastest.
+/// One plate as a grid of n_x times n_y columns of points, y fastest; NaN where holes and notches
+/// have left none.
 struct DamageMap
 {
   int plate;                // number, from 1

@@ -9,6 +9,7 @@
 #include "ricochet/peridynamics/broken_bond_log.h"
 #include "ricochet/peridynamics/lattice_state.h"
 
+#include <functional>
 #include <mpi.h>
 #include <vector>
 
@@ -28,6 +29,11 @@ public:
   const BrokenBondLog &log() const { return log_; }
   /// The ends of what is in the log are damaged from now on.
   void mark_damaged();
+
+  /// Breaks all bonds for whose ends, in the reference configuration, `crosses` says so; `state` is
+  /// that of the constructor. Returns how many ends of them this rank owns.
+  double sever(LatticeState &state,
+               const std::function<bool(const Vector3 &, const Vector3 &)> &crosses);
 
   /// Bonds that have appeared between the planes first <= x < last (global) of a lattice that has
   /// followed its zone are sound, and intact in `state`. What is broken stays broken. Returns the
@@ -55,7 +61,10 @@ public:
   double damage(std::ptrdiff_t index) const;
   /// Whether a bond of a point has broken on this rank: of points that are not owned some may be
   /// unknown.
-  bool is_damaged(const std::ptrdiff_t index) const { return damaged_[index]; }
+  bool is_damaged(const std::ptrdiff_t index) const { return (open_[index] & damaged) != 0; }
+  /// Whether it may meet points of its own body: it is damaged, or it lies at the rim of what was
+  /// cut out of the body. With the same reserve.
+  bool is_open(const std::ptrdiff_t index) const { return open_[index] != 0; }
 
   /// Bonds that are left, and those there would be without damage; each once, over all ranks, a
   /// mirrored one half. Collective, slow.
@@ -66,6 +75,9 @@ public:
 private:
   int family_size(std::ptrdiff_t index, const std::uint8_t *bonds) const;
   void count_families(const Lattice &lattice);
+  void find_rims();
+
+  static constexpr char damaged = 1, at_rim = 2;
 
   const Lattice &lattice_;
   const LatticeState &state_;
@@ -73,7 +85,7 @@ private:
   BrokenBondLog log_;
   std::vector<std::uint8_t> sound_;
   std::vector<std::uint16_t> sound_family_; // bonds of each owned point in sound_
-  std::vector<char> damaged_;               // per point
+  std::vector<char> open_;                  // per point: damaged, at_rim
 };
 
 template <class Visitor>

@@ -101,6 +101,12 @@ public:
   /// Bits of free(), eight points a byte.
   const std::vector<std::uint8_t> &free_mask() const { return free_; }
 
+  /// Whether the plate's box has a place there, images included, but the body no point: it was cut
+  /// out. Not so where finite elements take the place of points.
+  bool is_cut_out(const std::array<int, 3> &coordinates) const;
+  /// Whether the body lacks any place of its box.
+  bool has_cutouts() const { return mask_ != nullptr; }
+
   const Zone *zone() const { return zone_; } // null: all points are free
   /// Of any point that exists, ghosts and images too.
   PointKind kind(std::ptrdiff_t index) const;

@@ -117,6 +117,11 @@ public:
 
   /// Which bonds there were and which have broken.
   const BondDamage &bond_damage() const { return damage_; }
+  /// Cracks that the body begins with: breaks all bonds for whose ends, in the reference
+  /// configuration, `crosses` says so. They count as damage, and release nothing: neither are they
+  /// in n_broken_bonds(). Returns how many ends they have, of all ranks. Collective.
+  double sever(const std::function<bool(const Vector3 &, const Vector3 &)> &crosses);
+
   /// What the last break_bonds() broke, see BrokenBondLog::for_each().
   template <class Visitor>
   void for_each_newly_broken_bond(Visitor &&visit) const
@@ -132,6 +137,8 @@ public:
   double damage(const std::ptrdiff_t index) const { return damage_.damage(index); }
   /// Whether a bond of it has broken.
   bool is_damaged(const std::ptrdiff_t index) const { return damage_.is_damaged(index); }
+  /// Whether it may meet points of its own body: it is damaged, or at the rim of a cut-out.
+  bool is_open(const std::ptrdiff_t index) const { return damage_.is_open(index); }
   // Counts of bonds are, like energies and momenta, of the body as computed: multiplicity() times
   // as many has the whole one.
   /// Bonds of the body, and the same with broken ones; each counted once, over all ranks, a

@@ -8,6 +8,7 @@
 #include "ricochet/coupling/clamped_sides.h"
 #include "ricochet/coupling/coupling_method.h"
 #include "ricochet/geometry/body_of_revolution.h"
+#include "ricochet/geometry/cutouts.h"
 #include "ricochet/geometry/hex_solid.h"
 #include "ricochet/materials/influence_function.h"
 #include "ricochet/materials/relaxation.h"
@@ -48,6 +49,7 @@ struct PlateParameters
   bool absorbing_edges                          = false; // waves leave through the side faces
   ClampedSides clamped_sides                    = ClampedSides::none;
   double clamp_width                            = 0.; // [m]; 0: not given
+  Cutouts cutouts = {}; // holes, notches and cracks it has from the start
 
   /// Of the frame that is held along the clamped sides: one horizon unless given [m].
   double held_width() const { return clamp_width > 0. ? clamp_width : horizon_ratio * spacing; }

@@ -10,7 +10,8 @@ namespace ricochet
 /// Of one plate.
 struct PlateDamage
 {
-  double broken_share; // of the bonds of the whole plate, had it no elements [-]
+  /// Of the bonds of the whole plate, had it no elements; cracks it had at the start included [-].
+  double broken_share;
   // Area of the faces' points that have lost more than damaged_share of their bonds, both halves.
   double front_area; // [m^2]
   double rear_area;  // [m^2]
@@ -38,6 +39,7 @@ public:
 private:
   MPI_Comm communicator_;
   const Simulation &simulation_;
-  std::vector<double> n_bonds_; // per plate
+  std::vector<double> n_bonds_;            // per plate
+  std::vector<double> n_bonds_everywhere_; // per plate, had it no elements and no damage
 };
 } // namespace ricochet
