@@ -78,6 +78,19 @@ public:
     return theta_history_[branch][point];
   }
 
+  /// What a branch holds of an extension e, e - e_b, at the time of e, after the forces of that
+  /// step and before the next: of a bond, kept at `point` [m] ...
+  double held_of_bond(const std::ptrdiff_t point, const std::size_t offset, const int branch,
+                      const double e) const
+  {
+    return held_before(branches_[branch], e, history_.read(point, offset, branch));
+  }
+  /// ... and of theta, or w theta [-].
+  double held_of_theta(const std::ptrdiff_t point, const int branch, const double theta) const
+  {
+    return held(branches_[branch], theta, of_theta(point, branch));
+  }
+
   /// Bonds of `chosen` (bits as LatticeArrays::bonds) start from what a step of finite elements
   /// would have left: g = xi . G xi / |xi| with the mean of G at the bond's ends, G = r E_b + (1 -
   /// r
