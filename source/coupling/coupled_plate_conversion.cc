@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Elements of a CoupledPlate that become points, and points that change their rank.
+#include "nodal_means.h"
+#include "ricochet/base/voigt.h"
 #include "ricochet/coupling/coupled_plate.h"
 
 #include <algorithm>
@@ -23,43 +25,19 @@ bool CoupledPlate::rebalance()
 
 std::vector<std::vector<double>> CoupledPlate::nodal_histories() const
 {
-  constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
-  const auto &mesh     = elements_.mesh();
   const int n_branches = points_->history()->n_branches();
-  std::vector<double> weight(elements_.force().size(), 0.);
-  std::vector<std::vector<double>> fields(2 * n_branches, weight);
-  for (std::size_t e = 0; e < mesh.elements().size(); ++e)
-  {
-    if (!elements_.is_active(static_cast<int>(e)))
-      continue;
-    const auto &element = mesh.elements()[e];
-    const double volume = element.edge * element.edge * element.edge;
-    for (int k = -1; k < n_branches; ++k)
-    {
-      const Eigen::Matrix3d G =
-          k < 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Ones()) : elements_.history(e, k);
-      for (const int node : element.nodes)
-        for (int i = 0; i < (k < 0 ? 3 : 6); ++i)
-          (k < 0 ? weight : fields[2 * k + i / 3])[3 * node + i % 3] +=
-              volume * G(row[i], column[i]);
-    }
-  }
-  mesh.add_to_owners(weight.data());
-  for (std::size_t f = 0; f < fields.size(); ++f)
-  {
-    mesh.add_to_owners(fields[f].data());
-    for (int node = 0; node < mesh.n_owned_nodes(); ++node)
-      for (int d = 0; d < 3; ++d)
-      {
-        const int i    = 3 * node + d;
-        // The mirrored half takes 23 and 12 away.
-        const bool odd = f % 2 == 1 && d != 1 && mesh.on_mirror_plane(node);
-        fields[f][i]   = weight[i] > 0. && !odd ? fields[f][i] / weight[i] : 0.;
-      }
-    mesh.update_ghosts(fields[f].data());
-    mesh.follow_masters(fields[f].data());
-  }
-  return fields;
+  return nodal_means(elements_, {2 * n_branches,
+                                 [&](const int element, double *const values)
+                                 {
+                                   for (int k = 0; k < n_branches; ++k)
+                                   {
+                                     const Eigen::Matrix3d G = elements_.history(element, k);
+                                     for (int i = 0; i < voigt::n; ++i)
+                                       values[voigt::n * k + i] =
+                                           G(voigt::row[i], voigt::column[i]);
+                                   }
+                                 },
+                                 [](const int i) { return is_odd_in_mirror(i % voigt::n); }});
 }
 
 bool CoupledPlate::convert(const std::vector<Zone::Cells> &cells)

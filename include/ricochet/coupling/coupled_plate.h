@@ -4,6 +4,7 @@
 // elements take over what the bonds lack (calibration.h). Owns its points and elements.
 #pragma once
 
+#include "ricochet/base/stress_state.h"
 #include "ricochet/coupling/calibration.h"
 #include "ricochet/coupling/coupling_method.h"
 #include "ricochet/coupling/slaved_points.h"
@@ -66,6 +67,11 @@ public:
   /// If the zone has grown so that some rank has too much of it, the points are shared anew; the
   /// elements stay where they are. Call between steps. Returns whether they were. Collective.
   bool rebalance();
+
+  /// What the points feel that follow elements: means of the elements around each node, between
+  /// which they interpolate; per point of the lattice, zero for all others. For pictures, see
+  /// element_stress(). Collective.
+  std::vector<StressState> slaved_stress();
 
   const Zone &zone() const { return *zone_; }                // which part is points
   PeridynamicBody &points() { return *points_; }             // in and around the zone

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the points of a plate feel, whoever moves them: bonds (peridynamics/point_stress.h) or
+// elements (finite_elements/element_stress.h). For pictures: nothing here enters a step.
+#pragma once
+
+#include "ricochet/coupling/coupled_plate.h"
+#include "ricochet/finite_elements/element_stress.h"
+#include "ricochet/peridynamics/point_stress.h"
+
+namespace ricochet
+{
+/// Per index of the lattice, of owned points; all others zero. Free points by their bonds; those
+/// that follow elements as these, `coupled` being the plate, or null if all points are free. When
+/// it may be called see PointStress::of(). Collective.
+std::vector<StressState> plate_stress(const PeridynamicBody &points, CoupledPlate *coupled);
+} // namespace ricochet
