@@ -92,7 +92,7 @@ def parameters(schema):
 
 def columns(lists):
     heads = ["name", "unit", "meaning"]
-    rows = {name: [(code(e["name"]), e["unit"], e["meaning"]) for e in lists[name]] for name in ("history", "summary")}
+    rows = {name: [(code(e["name"]), e["unit"], e["meaning"]) for e in lists[name]] for name in ("history", "summary", "frames")}
     return [
         "# Columns and fields", "",
         "Made by `build/ricochet columns --json | doc/make_tables.py columns >doc/columns.md`; `build/ricochet columns` prints the same. A",
@@ -106,6 +106,10 @@ def columns(lists):
         "Here, too, all numbers are those of whole bodies; but `bond_rate_per_core` is a rate of the work that is done, so of the half that is",
         "computed.", "",
         *table(heads, rows["summary"]),
+        "## results.pvd", "",
+        "The fields of points and elements in a frame for ParaView, every `Output/Frame interval`, of the half that is computed; ParaView shows",
+        "`name [unit]`. `section.h5` has, of the layer next to the plane y = 0, `damage`, `pressure`, `von_mises`, `energy_density` and `body`.", "",
+        *table(heads, rows["frames"]),
     ]
 
 

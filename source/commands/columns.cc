@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "columns.h"
 
+#include "ricochet/output/frame_fields.h"
 #include "ricochet/output/table.h"
 #include "ricochet/simulation/run_summary.h"
 
@@ -22,8 +23,9 @@ std::string full_name(const SummaryField &field)
 
 void print_columns(std::ostream &out, const bool json)
 {
-  Json all{{"history", Json::array()}, {"summary", Json::array()}};
-  Table history({"history.csv", "unit", "meaning"}), summary({"summary.json", "unit", "meaning"});
+  Json all{{"history", Json::array()}, {"summary", Json::array()}, {"frames", Json::array()}};
+  Table history({"history.csv", "unit", "meaning"}), summary({"summary.json", "unit", "meaning"}),
+      frames({"results.pvd", "unit", "meaning"});
   for (const auto &column : history_columns())
   {
     all["history"].push_back(
@@ -36,9 +38,15 @@ void print_columns(std::ostream &out, const bool json)
         {{"name", full_name(field)}, {"unit", field.unit}, {"meaning", field.meaning}});
     summary.add({full_name(field), field.unit, field.meaning});
   }
+  for (const auto &field : frame_fields())
+  {
+    all["frames"].push_back(
+        {{"name", field.name}, {"unit", field.unit}, {"meaning", field.meaning}});
+    frames.add({field.name, field.unit, field.meaning});
+  }
   if (json)
     out << all.dump(2) << "\n";
   else
-    out << history.text() << "\n" << summary.text();
+    out << history.text() << "\n" << summary.text() << "\n" << frames.text();
 }
 } // namespace ricochet

@@ -18,7 +18,8 @@ void FieldWriter::write(const double time, const PointFrame &points, const Surfa
   const std::size_t n = points.position.size();
   assert(points.displacement.size() == n && points.velocity.size() == n &&
          points.damage.size() == n);
-  assert(points.dilatation.size() == n && points.body.size() == n && points.in_section.size() == n);
+  assert(points.state.dilatation.size() == n && points.body.size() == n &&
+         points.in_section.size() == n);
   (void) n;
 
   section_.write(n_frames_, time, points, surface, elements);

@@ -54,22 +54,33 @@ void SectionWriter::write(const unsigned int number, const double time, const Po
                           const SurfaceFrame &surface, const ElementFrame &elements)
 {
   std::vector<Vector3> position;
-  std::vector<float> damage, body;
+  std::vector<float> damage, body, state[3];
+  const auto add_state = [&](const StateFields &from, const std::size_t i)
+  {
+    state[0].push_back(static_cast<float>(from.pressure[i]));
+    state[1].push_back(static_cast<float>(from.von_mises[i]));
+    state[2].push_back(static_cast<float>(from.energy_density[i]));
+  };
   for (std::size_t i = 0; i < points.position.size(); ++i)
     if (points.in_section[i])
     {
       position.push_back(points.position[i]);
       damage.push_back(static_cast<float>(points.damage[i]));
       body.push_back(static_cast<float>(points.body[i]));
+      add_state(points.state, i);
     }
   position.insert(position.end(), elements.section_position.begin(),
                   elements.section_position.end());
   damage.resize(position.size(), 0.f); // elements do not break
   for (const int plate : elements.section_body)
     body.push_back(static_cast<float>(plate));
+  for (const int element : elements.section_element)
+    add_state(elements.state, element);
   const std::vector<float> all_positions = gather(comm_, flattened(position));
   const std::vector<float> all_damage    = gather(comm_, damage);
   const std::vector<float> all_bodies    = gather(comm_, body);
+  for (auto &values : state)
+    values = gather(comm_, values);
 
   on_first_rank(comm_,
                 [&]
@@ -79,6 +90,9 @@ void SectionWriter::write(const unsigned int number, const double time, const Po
                   frame.add("position", all_positions, 3, "m");
                   frame.add("damage", all_damage, 1, "-");
                   frame.add("body", std::vector<int>(all_bodies.begin(), all_bodies.end()), 1, "-");
+                  frame.add("pressure", state[0], 1, "Pa");
+                  frame.add("von_mises", state[1], 1, "Pa");
+                  frame.add("energy_density", state[2], 1, "J/m3");
                   frame.add("outline", flattened(surface.outline), 3, "m");
                   frame.save(directory_ / "section" / (frame_name(number) + ".h5"));
 

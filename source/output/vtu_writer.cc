@@ -6,6 +6,7 @@
 #include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
+#include "ricochet/output/frame_fields.h"
 
 #include <deal.II/base/data_out_base.h>
 
@@ -21,17 +22,43 @@ using dealii::DataComponentInterpretation::DataComponentInterpretation;
 using VectorRange =
     std::tuple<unsigned int, unsigned int, std::string, DataComponentInterpretation>;
 
-// Columns of the data table of every point, and how they form fields. The units stand in the names
-// because ParaView shows nothing else; the attribute that deal.II offers for units is not read by
-// VTK.
-const std::string displacement               = "displacement [m]";
-const std::string velocity                   = "velocity [m/s]";
-const std::vector<std::string> column_names  = {displacement, displacement, displacement,
-                                                velocity,     velocity,     velocity,
-                                                "damage",     "dilatation", "body"};
-const std::vector<VectorRange> vector_fields = {
-    VectorRange{0, 2, displacement, component_is_part_of_vector},
-    VectorRange{3, 5, velocity, component_is_part_of_vector}};
+/// Columns of the data table of every point, one per component of a field. The units stand in the
+/// names because ParaView shows nothing else; the attribute that deal.II offers for units is not
+/// read by VTK.
+std::vector<std::string> column_names()
+{
+  std::vector<std::string> names;
+  for (const auto &field : frame_fields())
+    names.insert(names.end(), field.n_components, field.title());
+  return names;
+}
+
+/// Which of these columns are components of one vector.
+std::vector<VectorRange> vector_fields()
+{
+  std::vector<VectorRange> ranges;
+  unsigned int column = 0;
+  for (const auto &field : frame_fields())
+  {
+    if (field.n_components == 3)
+      ranges.emplace_back(column, column + 2, field.title(), component_is_part_of_vector);
+    column += field.n_components;
+  }
+  return ranges;
+}
+
+/// The columns of one point or element of a frame, at each of the corners in `data`, in single
+/// precision.
+template <class Frame, class Table>
+void fill(const Frame &frame, const std::size_t number,
+          double (*FrameField::*value)(const Frame &, std::size_t, unsigned int), Table &data)
+{
+  unsigned int column = 0;
+  for (const auto &field : frame_fields())
+    for (unsigned int d = 0; d < field.n_components; ++d, ++column)
+      for (unsigned int v = 0; v < data.size(1); ++v)
+        data(column, v) = static_cast<float>((field.*value)(frame, number, d));
+}
 
 dealii::DataOutBase::VtkFlags vtk_flags(const double time)
 {
@@ -50,21 +77,15 @@ dealii::Point<3> to_point(const Vector3 &x)
 
 std::vector<dealii::DataOutBase::Patch<0, 3>> patches_of(const PointFrame &points)
 {
+  const std::size_t n_columns = column_names().size();
   std::vector<dealii::DataOutBase::Patch<0, 3>> patches(points.position.size());
   for (std::size_t i = 0; i < patches.size(); ++i)
   {
     auto &patch       = patches[i];
     patch.vertices[0] = to_point(points.position[i]);
     patch.patch_index = static_cast<unsigned int>(i);
-    patch.data.reinit(column_names.size(), 1);
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      patch.data(d, 0)     = static_cast<float>(points.displacement[i][d]);
-      patch.data(3 + d, 0) = static_cast<float>(points.velocity[i][d]);
-    }
-    patch.data(6, 0) = static_cast<float>(points.damage[i]);
-    patch.data(7, 0) = static_cast<float>(points.dilatation[i]);
-    patch.data(8, 0) = static_cast<float>(points.body[i]);
+    patch.data.reinit(n_columns, 1);
+    fill(points, i, &FrameField::of_point, patch.data);
   }
   return patches;
 }
@@ -91,6 +112,7 @@ std::vector<dealii::DataOutBase::Patch<2, 3>> patches_of(const SurfaceFrame &sur
 
 std::vector<dealii::DataOutBase::Patch<3, 3>> patches_of(const ElementFrame &elements)
 {
+  const std::size_t n_columns = column_names().size();
   std::vector<dealii::DataOutBase::Patch<3, 3>> patches(elements.corners.size());
   for (std::size_t i = 0; i < patches.size(); ++i)
   {
@@ -100,16 +122,8 @@ std::vector<dealii::DataOutBase::Patch<3, 3>> patches_of(const ElementFrame &ele
     patch.patch_index    = static_cast<unsigned int>(i);
     patch.n_subdivisions = 1;
     patch.reference_cell = dealii::ReferenceCells::Hexahedron;
-    patch.data.reinit(column_names.size(), 8); // zero
-    for (unsigned int v = 0; v < 8; ++v)
-    {
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        patch.data(d, v)     = static_cast<float>(elements.displacement[i][d]);
-        patch.data(3 + d, v) = static_cast<float>(elements.velocity[i][d]);
-      }
-      patch.data(8, v) = static_cast<float>(elements.body[i]);
-    }
+    patch.data.reinit(n_columns, 8);
+    fill(elements, i, &FrameField::of_element, patch.data);
   }
   return patches;
 }
@@ -151,7 +165,7 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
                 [&]
                 {
                   std::ostringstream piece;
-                  dealii::DataOutBase::write_vtu(patches_of(frame), column_names, vector_fields,
+                  dealii::DataOutBase::write_vtu(patches_of(frame), column_names(), vector_fields(),
                                                  vtk_flags(time), piece);
                   write_file(directory_ / "vtu" / piece_name(name, number, rank_in(comm_)),
                              signed_text(piece.str()));
@@ -164,8 +178,8 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
                   for (int rank = 0; rank < size_of(comm_); ++rank)
                     pieces.push_back(piece_name(name, number, rank));
                   std::ostringstream record;
-                  dealii::DataOutBase::write_pvtu_record(record, pieces, column_names,
-                                                         vector_fields, vtk_flags(time));
+                  dealii::DataOutBase::write_pvtu_record(record, pieces, column_names(),
+                                                         vector_fields(), vtk_flags(time));
                   write_file(directory_ / record_name, signed_text(record.str()));
                 });
   return record_name;

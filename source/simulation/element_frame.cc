@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "element_frame.h"
 
+#include "ricochet/coupling/plate_stress.h"
+
 #include <cmath>
 
 namespace ricochet
 {
 namespace
 {
-/// The places of points in the layer above y = 0 that lie in an element: its corners blended.
+/// The places of points in the section's layer that lie in an element: its corners blended.
 void add_section(const std::array<Vector3, 8> &corners, const Vector3 &low, const double edge,
-                 const double spacing, const int body, ElementFrame &frame)
+                 const Lattice::Box &box, const int body, ElementFrame &frame)
 {
-  const double eta = (0.5 * spacing - low.y()) / edge;
+  const double spacing = box.spacing;
+  const double eta     = (box.corner.y() + (section_layer(box) + 0.5) * spacing - low.y()) / edge;
   if (eta <= 0. || eta >= 1.)
     return;
   const int n = static_cast<int>(std::lround(edge / spacing));
@@ -29,9 +32,15 @@ void add_section(const std::array<Vector3, 8> &corners, const Vector3 &low, cons
       }
       frame.section_position.push_back(x);
       frame.section_body.push_back(body);
+      frame.section_element.push_back(static_cast<int>(frame.corners.size()) - 1);
     }
 }
 } // namespace
+
+int section_layer(const Lattice::Box &box)
+{
+  return static_cast<int>(std::floor(1e-9 - box.corner.y() / box.spacing));
+}
 
 void add_elements(const CoupledPlate &coupled_plate, const int body, ElementFrame &frame)
 {
@@ -42,8 +51,9 @@ void add_elements(const CoupledPlate &coupled_plate, const int body, ElementFram
   const auto &zone     = coupled_plate.zone();
   const auto at        = [](const std::vector<double> &values, const int node)
   { return Vector3(values[3 * node], values[3 * node + 1], values[3 * node + 2]); };
-  for (const auto &element : mesh.elements())
+  for (std::size_t number = 0; number < mesh.elements().size(); ++number)
   {
+    const auto &element = mesh.elements()[number];
     const auto cell     = cell_at(lattice, mesh.centre(element));
     const bool cellwise = element.edge < 1.5 * zone.points_per_edge() * box.spacing;
     if (cellwise && (zone.layer(cell) < zone.far() || zone.has_contact(cell)))
@@ -59,9 +69,9 @@ void add_elements(const CoupledPlate &coupled_plate, const int body, ElementFram
     frame.corners.push_back(corners);
     frame.displacement.push_back(middle - mesh.centre(element));
     frame.velocity.push_back(velocity);
+    frame.state.add(element_stress(elements, static_cast<int>(number)));
     frame.body.push_back(body);
-    add_section(corners, mesh.reference_position(element.nodes[0]), element.edge, box.spacing, body,
-                frame);
+    add_section(corners, mesh.reference_position(element.nodes[0]), element.edge, box, body, frame);
   }
 }
 } // namespace ricochet

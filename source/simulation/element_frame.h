@@ -7,6 +7,10 @@
 
 namespace ricochet
 {
+/// The layer of points that the section shows, from 0: next above the plane y = 0, or in it if the
+/// plate has an odd number of layers.
+int section_layer(const Lattice::Box &box);
+
 /// Appends this rank's elements but those whose cell has points, which are written as such.
 void add_elements(const CoupledPlate &coupled_plate, int body, ElementFrame &frame);
 } // namespace ricochet

@@ -3,6 +3,7 @@
 #include "element_frame.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
+#include "ricochet/coupling/plate_stress.h"
 #include "ricochet/simulation/simulation.h"
 
 #include <limits>
@@ -83,6 +84,8 @@ PointFrame Simulation::points() const
     const auto &plate      = *plates_[i].points;
     const Lattice &lattice = plate.lattice();
     const auto &a          = plate.state().arrays;
+    const auto states      = plate_stress(plate, plates_[i].coupled);
+    const int section      = section_layer(lattice.box());
     lattice.for_each_owned(
         [&](const std::ptrdiff_t p)
         {
@@ -92,9 +95,9 @@ PointFrame Simulation::points() const
           frame.displacement.push_back(x - X);
           frame.velocity.push_back(at(a.velocity, p));
           frame.damage.push_back(plate.damage(p));
-          frame.dilatation.push_back(a.theta[p]);
+          frame.state.add(states[p]);
           frame.body.push_back(static_cast<int>(i) + 1);
-          frame.in_section.push_back(X.y() > 0. && X.y() < lattice.box().spacing);
+          frame.in_section.push_back(c[1] == section);
         });
   }
   return frame;

@@ -11,7 +11,7 @@ namespace ricochet
 {
 namespace
 {
-TEST(Columns, JsonExplainsHistoryAndSummary)
+TEST(Columns, JsonExplainsHistorySummaryAndFrames)
 {
   std::ostringstream text;
   print_columns(text, /*json=*/true);
@@ -28,7 +28,8 @@ TEST(Columns, JsonExplainsHistoryAndSummary)
   EXPECT_EQ(find("summary", "plate_N_front_damaged_mm2").value("unit", ""), "mm2");
   EXPECT_EQ(find("summary", "zones[].step_limit_us").value("unit", ""), "us");
   EXPECT_EQ(find("summary", "positions[].x_mm").value("unit", ""), "mm");
-  for (const char *list : {"history", "summary"})
+  EXPECT_EQ(find("frames", "von Mises stress").value("unit", ""), "Pa");
+  for (const char *list : {"history", "summary", "frames"})
     for (const auto &entry : all[list])
       EXPECT_FALSE(entry["meaning"].get<std::string>().empty()) << entry;
 }
@@ -41,7 +42,9 @@ TEST(Columns, TableHasALineForEach)
   const auto all    = nlohmann::json::parse(json.str());
   const auto table  = text.str();
   const auto n_rows = std::count(table.begin(), table.end(), '\n');
-  EXPECT_EQ(n_rows, static_cast<long>(all["history"].size() + all["summary"].size()) + 3);
+  EXPECT_EQ(n_rows, static_cast<long>(all["history"].size() + all["summary"].size() +
+                                      all["frames"].size()) +
+                        5); // three heads and two gaps
 }
 } // namespace
 } // namespace ricochet

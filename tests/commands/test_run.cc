@@ -95,6 +95,34 @@ TEST(Run, TellsAtTheStartAndInTheSummaryHowLargePlatesAreComputed)
     EXPECT_NEAR(s[name].get<double>(), value, 1e-12 * value) << name;
 }
 
+TEST(Run, FramesLeaveNoTraceInTheHistory)
+{
+  // With all that a frame looks at: bonds and elements that relax, points that follow elements.
+  const std::vector<std::string> scene{"Material PMMA/Relaxation shares=0.3, 0.2",
+                                       "Material PMMA/Relaxation times=5 us, 40 us",
+                                       "Coupling/Zone=boxes",
+                                       "Coupling/Adaptive=true",
+                                       "Plate 1/Zone box=4 mm, 24 mm, -6 mm, 6 mm",
+                                       "Plate 2/Zone box=4 mm, 24 mm, -6 mm, 6 mm",
+                                       "Output/History interval=0.5 us",
+                                       "Time/Final time=12 us"};
+  const ScratchDirectory scratch;
+  RunOptions options;
+  options.quiet      = true;
+  const auto history = [&](const std::string &name, const std::vector<std::string> &more)
+  {
+    auto overrides = scene;
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    const auto folder = scratch.path() / name;
+    run_scene(MPI_COMM_WORLD, two_plates_file(folder.string(), overrides), options);
+    return rank() == 0 ? read_text(folder / "history.csv") : std::string();
+  };
+  const auto without = history("without", {"Output/Picture times=100 us"}),
+             with = history("with", {"Output/Frame interval=0.3 us", "Output/ParaView files=true"});
+  EXPECT_EQ(with, without);
+  EXPECT_EQ(std::filesystem::exists(scratch.path() / "with/vtu/points_0020.pvtu"), true);
+}
+
 TEST(Run, FinishedOnesAreNotOverwrittenUnasked)
 {
   const ScratchDirectory scratch;

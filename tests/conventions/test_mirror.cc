@@ -84,7 +84,6 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"search/linked_cells", "search/test_pair_search"},
     {"search/near_points", "search/test_hybrid_search"},
     {"search/pair_loops", "search/test_pair_search"},
-    {"simulation/simulation_state", "simulation/test_simulation"},
     {"simulation/zone_summary", "simulation/test_run_summary"},
 };
 

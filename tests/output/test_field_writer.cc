@@ -25,7 +25,11 @@ PointFrame points_at(const double time, const int n)
     frame.displacement.emplace_back(0., 0., time);
     frame.velocity.emplace_back(1., 2., 3.);
     frame.damage.push_back(i / 1000.);
-    frame.dilatation.push_back(-i / 1000.);
+    StressState state;
+    state.stress(0, 0)   = 3. * i; // i of pressure in tension, 3 i of von Mises stress
+    state.dilatation     = -i / 1000.;
+    state.energy_density = 7. * i;
+    frame.state.add(state);
     frame.body.push_back(rank() + 1);
     frame.in_section.push_back(i % 2 == 0);
   }
@@ -92,13 +96,16 @@ TEST(FieldWriter, SectionHoldsThePointsOfAllRanks)
   if (rank() != 0)
     return;
 
-  std::vector<double> x, damage, body;
+  std::vector<double> x, damage, body, pressure, von_mises, energy_density;
   for (int r = 0; r < n_ranks(); ++r)
     for (int i = 0; i < 5 + r; i += 2)
     {
       x.push_back(100. * r + i);
       damage.push_back(static_cast<float>(i / 1000.));
       body.push_back(r + 1);
+      pressure.push_back(-i);
+      von_mises.push_back(3. * i);
+      energy_density.push_back(7. * i);
     }
   const std::filesystem::path file = scratch.path() / "section.h5";
   for (std::size_t f = 0; f < times.size(); ++f)
@@ -116,6 +123,10 @@ TEST(FieldWriter, SectionHoldsThePointsOfAllRanks)
     }
     EXPECT_EQ(read_dataset(file, group + "/damage").values, damage);
     EXPECT_EQ(read_dataset(file, group + "/body").values, body);
+    EXPECT_EQ(read_dataset(file, group + "/pressure").values, pressure);
+    EXPECT_EQ(read_dataset(file, group + "/pressure").unit, "Pa");
+    EXPECT_EQ(read_dataset(file, group + "/von_mises").values, von_mises);
+    EXPECT_EQ(read_dataset(file, group + "/energy_density").values, energy_density);
     EXPECT_EQ(read_dataset(file, group + "/outline").shape, (std::vector<hsize_t>{3, 3}));
   }
 }
@@ -166,7 +177,8 @@ TEST(FieldWriter, PvdListsAllFramesAndTheirFilesAreWellFormed)
                 std::vector<std::string>{std::to_string(5 + r)});
       const std::vector<std::string> names = attributes(piece, "DataArray", "Name");
       for (const char *name :
-           {"displacement [m]", "velocity [m/s]", "damage", "dilatation", "body"})
+           {"displacement [m]", "velocity [m/s]", "damage", "dilatation", "pressure [Pa]",
+            "von Mises stress [Pa]", "strain energy density [J/m3]", "body"})
         EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
       EXPECT_TRUE(std::regex_search(
           piece, std::regex("Name=\"velocity .m/s.\"[^>]*NumberOfComponents=\"3\"")));

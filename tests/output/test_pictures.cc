@@ -49,7 +49,7 @@ void write_run(const fs::path &folder, const std::vector<History::Column> &colum
       points.displacement.push_back(Vector3::Zero());
       points.velocity.push_back(Vector3::Zero());
       points.damage.push_back(i / 40 == 0 && i % 40 < 10 * step ? 0.8 : 0.);
-      points.dilatation.push_back(0.);
+      points.state.add({});
       points.body.push_back(1);
       points.in_section.push_back(1);
     }

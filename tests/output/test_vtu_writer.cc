@@ -19,6 +19,7 @@ ElementFrame one_cube()
   frame.corners.push_back(corners);
   frame.displacement.emplace_back(1., 2., 3.);
   frame.velocity.emplace_back(4., 5., 6.);
+  frame.state.add({});
   frame.body.push_back(1);
   return frame;
 }

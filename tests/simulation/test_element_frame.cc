@@ -49,11 +49,28 @@ TEST(ElementFrame, ShowsTheElementsOutsideTheZoneWhereTheyAre)
     const Vector3 middle = low + Vector3::Constant(0.5 * model.edge());
     EXPECT_LT((frame.displacement[i] - (map(middle) - middle)).norm(), 1e-15);
     EXPECT_LT((frame.velocity[i] - speed).norm(), 1e-12);
+    // An expansion by 1 %: E = (1.01^2 - 1)/2, tau = 1.01^2 K tr(E), W = K tr(E)^2/2.
+    const double K = model.points->material().bulk_modulus, trace = 1.5 * (1.01 * 1.01 - 1.);
+    EXPECT_NEAR(frame.state.dilatation[i], std::pow(1.01, 3) - 1., 1e-12);
+    EXPECT_NEAR(frame.state.pressure[i], -1.01 * 1.01 * K * trace, 1e-10 * K * trace);
+    EXPECT_NEAR(frame.state.von_mises[i], 0., 1e-10 * K * trace);
+    EXPECT_NEAR(frame.state.energy_density[i], 0.5 * K * trace * trace, 1e-10 * K * trace * trace);
   }
   // The section fills the elements in the first layer as points would.
   const std::size_t n_per_cell = zone.points_per_edge() * zone.points_per_edge();
   ASSERT_EQ(frame.section_position.size(), n_far_in_front * n_per_cell);
   ASSERT_EQ(frame.section_body.size(), frame.section_position.size());
+  ASSERT_EQ(frame.section_element.size(), frame.section_position.size());
+  for (std::size_t i = 0; i < frame.section_position.size(); ++i)
+  {
+    // A place lies in its element.
+    const auto &corners = frame.corners[frame.section_element[i]];
+    for (int d = 0; d < 3; ++d)
+    {
+      EXPECT_GT(frame.section_position[i][d], corners[0][d]);
+      EXPECT_LT(frame.section_position[i][d], corners[7][d]);
+    }
+  }
   for (const auto &x : frame.section_position)
   {
     const Vector3 place = (x - shift) / 1.01 / model.spacing - Vector3::Constant(0.5);

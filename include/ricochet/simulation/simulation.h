@@ -85,7 +85,8 @@ public:
   /// "Point (x, y, z) of plate n is the fastest, at v m/s." Collective.
   std::string describe_fastest_point() const;
 
-  PointFrame points() const;                                      // owned by this rank
+  // For pictures; between compute_forces() and advance(). Looking changes nothing.
+  PointFrame points() const;                                      // owned by this rank; collective
   SurfaceFrame surface() const { return projectile_->surface(); } // of the projectile
   ElementFrame elements() const;                                  // owned by this rank
 
