@@ -128,7 +128,7 @@ def title_of(directory):
     parts = [{"perforate": "perforation", "undecided": "outcome undecided", "pushed": "pushes the target away",
               "edge": f"leaves through the edge of plate {summary.get('exit_plate', 1)}"}.get(outcome, outcome)]
     if summary.get("exit_speed_m_s") is not None and outcome != "stuck":
-        parts.append(f"{'last' if outcome == 'undecided' else 'exit'} speed {summary['exit_speed_m_s']:.0f} m/s")
+        parts.append(f"{'last' if outcome == 'undecided' else 'exit'} speed {summary['exit_speed_m_s']:.3g} m/s")
         if summary.get("exit_angle_deg") is not None:
             parts[-1] += f" at {summary['exit_angle_deg']:.1f}°".replace("-", "−")
     if summary.get("max_depth_mm") is not None:

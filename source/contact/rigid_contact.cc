@@ -11,8 +11,6 @@ namespace ricochet
 {
 namespace
 {
-constexpr int n_upper = 21; // numbers on and above the diagonal of a Matrix6
-
 /// Velocity of the touched place across the normal, by that of the body.
 Eigen::Matrix<double, 3, 6> sliding_by_motion(const Vector3 &arm, const Vector3 &normal)
 {

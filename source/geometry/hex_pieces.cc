@@ -59,6 +59,7 @@ std::vector<int> piece_sizes(const HexSolid &solid)
   for (int cell = 0; cell < n_cells; ++cell)
     ++count[groups.of(cell)];
   std::vector<int> sizes;
+  sizes.reserve(count.size());
   for (const auto &[group, size] : count)
     sizes.push_back(size);
   std::sort(sizes.begin(), sizes.end(), std::greater<>());

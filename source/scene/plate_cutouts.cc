@@ -110,10 +110,11 @@ void CutoutRows::add_to(Section &in)
                               Dimension::length, Limit::any),
                    "58 mm, 62 mm, -20 mm, 20 mm, 0 mm, 5 mm", box[i]);
   }
-  const char *plane[] = {
+  const char *first_crack =
       "A crack that is there from the start: a rectangle in the plane of that x. The bonds that "
-      "cross it are broken; depth as of a notch",
-      "Another such crack", "The same in the plane of that y", "Another such crack"};
+      "cross it are broken; depth as of a notch";
+  const char *plane[] = {first_crack, "Another such crack", "The same in the plane of that y",
+                         "Another such crack"};
   for (int i = 0; i < 4; ++i)
   {
     const bool along = i >= 2;

@@ -68,8 +68,8 @@ std::vector<PlatePlace> OutcomeWatch::plates() const
 
 ExitFace OutcomeWatch::face_left_behind(const bool centre) const
 {
-  const auto &[low, high] =
-      centre ? std::make_pair(now_.position, now_.position) : now_.bounding_box;
+  const Vector3 low       = centre ? now_.position : now_.bounding_box.first;
+  const Vector3 high      = centre ? now_.position : now_.bounding_box.second;
   const auto all          = plates();
   const PlatePlace &first = all.front(), &last = all.back();
   if (low.z() > first.high.z() && now_.velocity.z() > first.velocity.z())

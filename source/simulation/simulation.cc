@@ -232,8 +232,8 @@ EnergyBalance Simulation::energies() const
   e.elastic             = projectile.strain + projectile.hourglass;
   e.contact             = projectile_contact_->energy();
   e.debris              = short_range_contact_->energy();
-  e.friction            = -projectile_contact_->friction_work();
-  e.debris_friction     = 0. - short_range_contact_->friction_work(); // not -0
+  e.friction            = 0. - projectile_contact_->friction_work(); // not -0
+  e.debris_friction     = 0. - short_range_contact_->friction_work();
   return e;
 }
 

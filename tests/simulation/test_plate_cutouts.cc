@@ -4,6 +4,7 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/dynamics/leapfrog.h"
+#include "ricochet/simulation/interface_report.h"
 #include "simulation/plate_builder.h"
 #include "support/small_scene.h"
 
@@ -240,6 +241,18 @@ TEST(PlateCutouts, ElementsKeepTwoHorizonsAway)
           n_free * plates[0].points->point_mass() + plates[0].coupled->elements().total_mass();
       EXPECT_NEAR(mass / (1190. * 1e-9 * (n_all - n_cut)), 1., 1e-12);
     }
+}
+
+TEST(PlateCutouts, ThePatchTestAsksTheInterfaceAndNotTheHole)
+{
+  Scene scene               = coupled_with_hole(ZoneKind::boxes);
+  scene.plates[0].thickness = 16. * mm; // there is an inside, out of reach of both faces
+  Simulation simulation(MPI_COMM_SELF, scene);
+  const auto reports = interface_reports(MPI_COMM_SELF, simulation);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_GT(reports[0].patch.ghost_force, 0.);
+  EXPECT_TRUE(reports[0].good()) << reports[0].patch.ghost_force << ' '
+                                 << reports[0].patch.strain_error;
 }
 
 /// Displacements of the points within 6 mm from the hole's axis, after some steps: its rim starts
