@@ -31,7 +31,7 @@ struct Cutouts
     double depth_from, depth_to;
   };
 
-  std::vector<Hole> holes    = {};
+  std::vector<Hole> holes    = {}; // cylinders through the plate
   std::vector<Notch> notches = {}; // boxes without material
   std::vector<Crack> cracks  = {}; // rectangles that no bond crosses
 
