@@ -35,10 +35,8 @@ struct Cutouts
   std::vector<Notch> notches = {}; // boxes without material
   std::vector<Crack> cracks  = {}; // rectangles that no bond crosses
 
-  bool empty() const
-  {
-    return holes.empty() && notches.empty() && cracks.empty();
-  } // cylinders through the plate
+  /// Whether there is none.
+  bool empty() const { return holes.empty() && notches.empty() && cracks.empty(); }
   /// Whether there is no material; on the border there is.
   bool removes(const Vector3 &point) const;
   /// Whether the straight line from one point to the other crosses a crack. A point in the plane of
