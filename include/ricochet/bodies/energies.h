@@ -9,13 +9,13 @@ namespace ricochet
 struct Energies
 {
   double kinetic    = 0.; // see Body::energies()
-  double strain     = 0.;
-  double hourglass  = 0.;
-  double conversion = 0.;
-  double fracture   = 0.;
-  double viscous    = 0.;
-  double absorbed   = 0.;
-  double drive      = 0.;
+  double strain     = 0.; // in intact bonds and elements
+  double hourglass  = 0.; // in the hourglass modes of one-point elements
+  double conversion = 0.; // lost so far where elements became points
+  double fracture   = 0.; // released by broken bonds so far
+  double viscous    = 0.; // turned into heat by relaxation so far
+  double absorbed   = 0.; // by edges that do not reflect, so far
+  double drive      = 0.; // received so far from what prescribes a motion
 
   /// Entry by entry.
   Energies &operator+=(const Energies &other);
@@ -37,10 +37,10 @@ enum class EnergyAccount
 template <class Struct>
 struct EnergyRow
 {
-  double Struct::*value;
-  EnergyAccount account;
-  const char *name;    // of its column in the history
-  const char *meaning; // half a sentence, for the user
+  double Struct::*value; // the member
+  EnergyAccount account; // how it counts
+  const char *name;      // of its column in the history
+  const char *meaning;   // half a sentence, for the user
 };
 
 /// All of Energies, of the plates together.

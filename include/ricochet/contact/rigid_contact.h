@@ -57,8 +57,10 @@ public:
   /// Adds the friction of the same points, which must outlive the next record_work(); their forces
   /// are complete otherwise. Returns all that they do to the body. Collective.
   ///
-  /// @param press  Of all plates.
-  /// @param dt     The coming kick [s]; 0: Coulomb's law at the present velocities.
+  /// @param projectile  As it was for the normal forces.
+  /// @param press       Of all plates.
+  /// @param plate       Whose normal forces were added last with this object.
+  /// @param dt          The coming kick [s]; 0: Coulomb's law at the present velocities.
   ContactRecord add_friction(const RigidBody &projectile, const Press &press,
                              PeridynamicBody &plate, double dt);
 

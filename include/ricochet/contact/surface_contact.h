@@ -55,11 +55,13 @@ public:
   /// Adds the friction of the same points, whose forces are complete otherwise. The plate must
   /// outlive the next record_work(). Returns what the points do to the body. Collective.
   ///
-  /// @param body    With the velocities at the time of the forces, as far as friction does not
-  ///                change them.
-  /// @param shares  Sum over plates of what add_normal_forces() has returned.
-  /// @param centre  Moments are about it [m].
-  /// @param dt      The coming kick [s]; 0: Coulomb's law at these velocities.
+  /// @param body     With the velocities at the time of the forces, as far as friction does not
+  ///                 change them.
+  /// @param shares   Sum over plates of what add_normal_forces() has returned.
+  /// @param surface  As there.
+  /// @param centre   Moments are about it [m].
+  /// @param plate    As there.
+  /// @param dt       The coming kick [s]; 0: Coulomb's law at these velocities.
   ContactRecord add_friction(const SurfaceNodes &body, double shares, const FacetedSurface &surface,
                              const Vector3 &centre, PeridynamicBody &plate, double dt);
 

@@ -31,10 +31,11 @@ struct Cutouts
     double depth_from, depth_to;
   };
 
-  std::vector<Hole> holes    = {};
-  std::vector<Notch> notches = {};
-  std::vector<Crack> cracks  = {};
+  std::vector<Hole> holes    = {}; // cylinders through the plate
+  std::vector<Notch> notches = {}; // boxes without material
+  std::vector<Crack> cracks  = {}; // rectangles that no bond crosses
 
+  /// Whether there is none.
   bool empty() const { return holes.empty() && notches.empty() && cracks.empty(); }
   /// Whether there is no material; on the border there is.
   bool removes(const Vector3 &point) const;

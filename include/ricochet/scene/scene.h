@@ -47,8 +47,8 @@ struct PlateParameters
   /// With ZoneKind::boxes: columns through the plate, x from and to, y from and to [m].
   std::vector<std::array<double, 4>> zone_boxes = {};
   bool absorbing_edges                          = false; // waves leave through the side faces
-  ClampedSides clamped_sides                    = ClampedSides::none;
-  double clamp_width                            = 0.; // [m]; 0: not given
+  ClampedSides clamped_sides                    = ClampedSides::none; // which edges are held
+  double clamp_width                            = 0.;                 // [m]; 0: not given
   Cutouts cutouts = {}; // holes, notches and cracks it has from the start
 
   /// Of the frame that is held along the clamped sides: one horizon unless given [m].

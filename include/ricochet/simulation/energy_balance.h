@@ -12,12 +12,12 @@ namespace ricochet
 struct EnergyBalance : Energies
 {
   double initial         = 0.; // kinetic energy of the projectile at the start
-  double projectile      = 0.;
-  double elastic         = 0.;
-  double contact         = 0.;
-  double debris          = 0.;
-  double friction        = 0.;
-  double debris_friction = 0.;
+  double projectile      = 0.; // kinetic
+  double elastic         = 0.; // in its deformation
+  double contact         = 0.; // in the springs between projectile and plates
+  double debris          = 0.; // in the repulsion of debris
+  double friction        = 0.; // heat between projectile and plates
+  double debris_friction = 0.; // heat between plates and in debris
 
   /// What the balance does not account for [J].
   double residual() const;

@@ -50,7 +50,8 @@ struct OutcomeVerdict
 /// A plate as it is: its undeformed box, moved as the sound part of it has moved.
 struct PlatePlace
 {
-  Vector3 low, high;                  // corners, mirrored half included [m]
+  Vector3 low;                        // corner, mirrored half included [m]
+  Vector3 high;                       // likewise [m]
   Vector3 velocity = Vector3::Zero(); // of the sound part [m/s]
 };
 
@@ -58,7 +59,8 @@ struct PlatePlace
 struct Observation
 {
   double time;                              // [s]
-  Vector3 position, velocity;               // of the projectile's centre [m], [m/s]
+  Vector3 position;                         // of the projectile's centre [m]
+  Vector3 velocity;                         // likewise [m/s]
   std::pair<Vector3, Vector3> bounding_box; // lowest and highest corner of the projectile [m]
   bool touching;                            // something, debris included
   /// From top to bottom. Asked for only where it matters: it costs a pass over all points.

@@ -27,7 +27,8 @@ int coarsening_levels(const Scene &scene, const PlateParameters &plate);
 /// Extents of a whole plate along the flight, across it and in depth [m].
 struct PlateSize
 {
-  Vector3 asked, computed;
+  Vector3 asked;    // by the file
+  Vector3 computed; // on this grid
 
   /// Whether they are the same but for rounding of numbers.
   bool is_as_asked() const;
