@@ -29,10 +29,9 @@ const std::vector<FrameField> fields{
     {"von Mises stress", "Pa", 1, [](Points p, Number i, Axis) { return p.state.von_mises[i]; },
      [](Elements e, Number i, Axis) { return e.state.von_mises[i]; },
      "sqrt(3/2 s:s) of the stress deviator s. The stress, Kirchhoff's, is of a point what its "
-     "intact "
-     "bonds hold: less than in a continuum within a horizon of surfaces and cracks; of an element, "
-     "and of points that follow elements, the material's at the deformation of the middle; with "
-     "relaxation in both what is left of it"},
+     "intact bonds hold: less than in a continuum within a horizon of surfaces and cracks; of an "
+     "element, and of points that follow elements, the material's at the deformation of the "
+     "middle; with relaxation in both what is left of it"},
     {"strain energy density", "J/m3", 1,
      [](Points p, Number i, Axis) { return p.state.energy_density[i]; },
      [](Elements e, Number i, Axis) { return e.state.energy_density[i]; },

@@ -39,6 +39,7 @@ void add_section(const std::array<Vector3, 8> &corners, const Vector3 &low, cons
 
 int section_layer(const Lattice::Box &box)
 {
+  // The corner is a multiple of half a spacing but for rounding.
   return static_cast<int>(std::floor(1e-9 - box.corner.y() / box.spacing));
 }
 

@@ -10,10 +10,10 @@
 
 namespace ricochet
 {
-/// A field of points and elements alike. Whoever adds one writes this row and nothing else.
+/// A field of points and elements alike.
 struct FrameField
 {
-  std::string name;
+  std::string name;          // in words, without the unit
   std::string unit;          // "-" if dimensionless
   unsigned int n_components; // 1, or 3 of a vector
   /// Component of a point, by its number in the frame; in that unit.
