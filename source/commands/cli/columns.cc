@@ -9,7 +9,8 @@ Command declare_columns(CLI::App &app)
 {
   const auto json = std::make_shared<bool>(false);
   auto *command   = app.add_subcommand(
-        "columns", "print what stands in history.csv and summary.json, with units and meaning");
+        "columns",
+        "print what stands in history.csv, summary.json and frames, with units and meaning");
   command->add_flag("--json", *json, "one JSON object");
   return {command, nullptr, [json](std::ostream &out) { print_columns(out, *json); }};
 }
