@@ -170,12 +170,14 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
                   write_file(directory_ / "vtu" / piece_name(name, number, rank_in(comm_)),
                              signed_text(piece.str()));
                 });
-  const std::string record_name = "vtu/" + frame_name(name, number) + ".pvtu";
+  std::string record_name = "vtu/" + frame_name(name, number) + ".pvtu";
   on_first_rank(comm_,
                 [&]
                 {
+                  const int n_ranks = size_of(comm_);
                   std::vector<std::string> pieces;
-                  for (int rank = 0; rank < size_of(comm_); ++rank)
+                  pieces.reserve(n_ranks);
+                  for (int rank = 0; rank < n_ranks; ++rank)
                     pieces.push_back(piece_name(name, number, rank));
                   std::ostringstream record;
                   dealii::DataOutBase::write_pvtu_record(record, pieces, column_names(),
