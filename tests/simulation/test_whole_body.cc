@@ -103,18 +103,27 @@ Scene coupled_without_calibration()
   return scene;
 }
 
+Scene clamped(Scene scene)
+{
+  for (auto &plate : scene.plates)
+    plate.clamped_sides = ClampedSides::all;
+  return scene;
+}
+
 class WholeBody : public testing::TestWithParam<Scene>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(Scenes, WholeBody,
-                         testing::Values(two_plates(), coupled_without_calibration(),
-                                         deformable(small_scene()),
-                                         peridynamic_nose(small_scene())),
-                         [](const auto &info) {
-                           return std::string(info.param.zone.has_elements() ? "Coupled" : "") +
-                                  model_name(info.param);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, WholeBody,
+    testing::Values(two_plates(), clamped(two_plates()), coupled_without_calibration(),
+                    deformable(small_scene()), peridynamic_nose(small_scene())),
+    [](const auto &info)
+    {
+      return std::string(info.param.zone.has_elements() ? "Coupled" : "") +
+             (info.param.plates[0].clamped_sides == ClampedSides::none ? "" : "Clamped") +
+             model_name(info.param);
+    });
 
 TEST_P(WholeBody, IsWhatHistoryAndSummaryTellWithAndWithoutTheSymmetryPlane)
 {
