@@ -3,6 +3,7 @@
 
 #include "ricochet/materials/relaxation.h"
 #include "support/element_body.h"
+#include "support/some_strain.h"
 
 #include <gtest/gtest.h>
 
@@ -11,23 +12,6 @@ namespace ricochet::tests
 namespace
 {
 using Matrix = Eigen::Matrix3d;
-
-Matrix some_strain(const double size)
-{
-  Matrix strain;
-  strain << 0.9, -0.3, 0.5, -0.3, -0.4, 0.2, 0.5, 0.2, 0.7;
-  return size * strain;
-}
-
-Matrix some_rotation()
-{
-  return Eigen::AngleAxisd(0.7, Vector3(1., -2., 0.5).normalized()).toRotationMatrix();
-}
-
-Matrix hooke(const FiniteElementMaterial &m, const Matrix &strain)
-{
-  return lambda(m) * strain.trace() * Matrix::Identity() + 2. * m.shear_modulus * strain;
-}
 
 int n_elements(const FiniteElementBody &body)
 {

@@ -2,6 +2,7 @@
 #include "ricochet/peridynamics/point_stress.h"
 
 #include "support/body.h"
+#include "support/some_strain.h"
 
 #include <gtest/gtest.h>
 
@@ -12,19 +13,6 @@ namespace ricochet::tests
 namespace
 {
 using Matrix = Eigen::Matrix3d;
-
-/// Any strain of this size, all components different.
-Matrix some_strain(const double size)
-{
-  Matrix strain;
-  strain << 0.9, -0.3, 0.5, -0.3, -0.4, 0.2, 0.5, 0.2, 0.7;
-  return size * strain;
-}
-
-Matrix some_rotation()
-{
-  return Eigen::AngleAxisd(0.7, Vector3(1., -2., 0.5).normalized()).toRotationMatrix();
-}
 
 BodySample block(const BondLawSample &law)
 {
@@ -39,20 +27,12 @@ std::ptrdiff_t middle(const PeridynamicBody &body)
   return body.lattice().index(4, 4, 4);
 }
 
-/// Hooke's law.
-Matrix hooke(const PeridynamicMaterial &m, const Matrix &strain)
-{
-  return (m.bulk_modulus - 2. / 3. * m.shear_modulus) * strain.trace() * Matrix::Identity() +
-         2. * m.shear_modulus * strain;
-}
-
 /// A shaken block that has lost bonds, the same for every call.
-std::unique_ptr<PeridynamicBody> torn_body(const BondLawSample &law, const bool mirrored = false)
+std::unique_ptr<PeridynamicBody> torn_body(const BondLawSample &law)
 {
   BodySample sample       = block(law);
   sample.n                = {7, 6, 5};
   sample.critical_stretch = 0.03;
-  sample.mirror_y         = mirrored;
   auto body               = make_body(sample);
   Random random(11);
   deform(

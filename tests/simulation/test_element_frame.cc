@@ -9,31 +9,43 @@ namespace ricochet::tests
 {
 namespace
 {
-TEST(ElementFrame, ShowsTheElementsOutsideTheZoneWhereTheyAre)
+const Vector3 shift(1e-4, -2e-4, 3e-4), speed(5., 6., 7.);
+
+/// An expansion by 1 %.
+Vector3 map(const Vector3 &X)
+{
+  return 1.01 * X + shift;
+}
+
+/// A plate that is moved so; its zone reaches down to the layer of the section.
+PlateModel moved_plate()
 {
   CoupledSample sample;
   sample.communicator = MPI_COMM_SELF;
-  sample.zone         = {{5, 0, 5}, {9, 4, 9}}; // down to the layer of the section
+  sample.zone         = {{5, 0, 5}, {9, 4, 9}};
   PlateModel model(sample);
-  const Vector3 shift(1e-4, -2e-4, 3e-4), speed(5., 6., 7.);
-  const auto map = [&](const Vector3 &X) -> Vector3 { return 1.01 * X + shift; };
   model.set_velocity([&](const Vector3 &) { return speed; });
   model.deform(map);
+  return model;
+}
+
+/// Cells below row n_rows of y that are drawn as elements; all others have points.
+std::size_t count_far(const Zone &zone, const int n_rows)
+{
+  std::size_t n_far = 0;
+  for (int x = 0; x < 14; ++x)
+    for (int y = 0; y < n_rows; ++y)
+      for (int z = 0; z < 14; ++z)
+        n_far += zone.layer({x, y, z}) >= zone.far();
+  return n_far;
+}
+
+TEST(ElementFrame, ShowsTheElementsOutsideTheZoneWhereTheyAre)
+{
+  const PlateModel model = moved_plate();
   ElementFrame frame;
   add_elements(*model.far, /*body=*/3, frame);
-
-  // Every cell is either drawn as an element or has points.
-  const auto &zone  = *model.zone;
-  std::size_t n_far = 0, n_far_in_front = 0;
-  for (int x = 0; x < 14; ++x)
-    for (int y = 0; y < 14; ++y)
-      for (int z = 0; z < 14; ++z)
-      {
-        const bool far = zone.layer({x, y, z}) >= zone.far();
-        n_far += far;
-        n_far_in_front += far && y == 0;
-      }
-  ASSERT_GT(n_far_in_front, 0u);
+  const std::size_t n_far = count_far(*model.zone, 14);
   ASSERT_LT(n_far, 14u * 14u * 14u);
   ASSERT_EQ(frame.corners.size(), n_far);
   ASSERT_EQ(frame.body, std::vector<int>(n_far, 3));
@@ -49,14 +61,23 @@ TEST(ElementFrame, ShowsTheElementsOutsideTheZoneWhereTheyAre)
     const Vector3 middle = low + Vector3::Constant(0.5 * model.edge());
     EXPECT_LT((frame.displacement[i] - (map(middle) - middle)).norm(), 1e-15);
     EXPECT_LT((frame.velocity[i] - speed).norm(), 1e-12);
-    // An expansion by 1 %: E = (1.01^2 - 1)/2, tau = 1.01^2 K tr(E), W = K tr(E)^2/2.
+    // E = (1.01^2 - 1)/2, tau = 1.01^2 K tr(E), W = K tr(E)^2/2.
     const double K = model.points->material().bulk_modulus, trace = 1.5 * (1.01 * 1.01 - 1.);
     EXPECT_NEAR(frame.state.dilatation[i], std::pow(1.01, 3) - 1., 1e-12);
     EXPECT_NEAR(frame.state.pressure[i], -1.01 * 1.01 * K * trace, 1e-10 * K * trace);
     EXPECT_NEAR(frame.state.von_mises[i], 0., 1e-10 * K * trace);
     EXPECT_NEAR(frame.state.energy_density[i], 0.5 * K * trace * trace, 1e-10 * K * trace * trace);
   }
-  // The section fills the elements in the first layer as points would.
+}
+
+TEST(ElementFrame, SectionFillsTheElementsInTheFirstLayerAsPointsWould)
+{
+  const PlateModel model = moved_plate();
+  const auto &zone       = *model.zone;
+  ElementFrame frame;
+  add_elements(*model.far, /*body=*/3, frame);
+  const std::size_t n_far_in_front = count_far(zone, 1);
+  ASSERT_GT(n_far_in_front, 0u);
   const std::size_t n_per_cell = zone.points_per_edge() * zone.points_per_edge();
   ASSERT_EQ(frame.section_position.size(), n_far_in_front * n_per_cell);
   ASSERT_EQ(frame.section_body.size(), frame.section_position.size());
