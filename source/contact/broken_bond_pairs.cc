@@ -33,8 +33,8 @@ void BrokenBondPairs::list(const std::vector<double> &skin)
       const std::ptrdiff_t p = block * width;
       for (const std::size_t k : offsets_)
       {
-        const unsigned int broken = body_.broken_bonds(block, k);
-        if (broken == 0)
+        const unsigned int parted = body_.parted_bonds(block, k);
+        if (parted == 0)
           continue;
         const std::ptrdiff_t q = p + l.shift(l.stencil().offsets[k]);
         // All eight together, without branches.
@@ -47,7 +47,7 @@ void BrokenBondPairs::list(const std::vector<double> &skin)
           excess[lane]       = dx * dx + dy * dy + dz * dz - limit * limit;
         }
         for (int lane = 0; lane < width; ++lane)
-          if ((broken >> lane) & 1 && excess[lane] < 0.)
+          if ((parted >> lane) & 1 && excess[lane] < 0.)
             of_lane[lane].push_back({static_cast<std::int32_t>(p + lane),
                                      static_cast<std::int32_t>(q + lane), distance_[k]});
       }
@@ -72,7 +72,7 @@ void BrokenBondPairs::add_newly_broken()
 
 void BrokenBondPairs::add(const std::ptrdiff_t p, const std::size_t offset)
 {
-  if ((body_.broken_bonds(p / Lattice::block_size, offset) >> (p % Lattice::block_size)) & 1)
+  if ((body_.parted_bonds(p / Lattice::block_size, offset) >> (p % Lattice::block_size)) & 1)
     list_.pairs.push_back(
         {static_cast<std::int32_t>(p),
          static_cast<std::int32_t>(

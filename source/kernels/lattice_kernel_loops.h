@@ -5,6 +5,7 @@
 // file.
 #pragma once
 
+#include "flow_loop.h"
 #include "relaxing_force_loop.h"
 #include "ricochet/kernels/lattice_kernel.h"
 #include "ricochet/materials/bond_law_list.h"
@@ -21,7 +22,9 @@ int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t fi
   int64_t n_log = 0;
   for (int64_t block = first; block < last; ++block)
   {
-    uint8_t *const bonds = a.bonds + block * table.n;
+    uint8_t *const bonds       = a.bonds + block * table.n;
+    uint8_t *const cracked     = a.cracked != nullptr ? a.cracked + block * table.n : nullptr;
+    const float *const plastic = plastic_of(a, table, block);
     for (int lane = 0; lane < block_size; lane += lanes)
     {
       const int64_t p = block * block_size + lane;
@@ -29,33 +32,55 @@ int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t fi
       V theta = Simd::zero();
       for (int k = 0; k < table.n; ++k)
       {
-        const unsigned int bits = lane_bits(bonds[k], lane);
-        if (bits == 0)
+        const unsigned int bits   = lane_bits(bonds[k], lane);
+        const unsigned int cracks = cracked != nullptr ? lane_bits(cracked[k], lane) : 0;
+        if ((bits | cracks) == 0)
           continue;
         const int64_t q        = p + table.shift[k];
         const BondConstants &c = table.constants[k];
         const V dx = Simd::load(x + q) - px, dy = Simd::load(y + q) - py,
-                dz     = Simd::load(z + q) - pz;
-        const V r2     = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
-        const V e      = Simd::fma(r2, Simd::inverse_sqrt(r2), -Simd::set(c.length));
-        M alive        = Simd::mask(bits);
-        const M broken = Simd::greater(e, Simd::set(c.critical), alive);
-        if (Simd::any(broken)) // rarely
+                dz    = Simd::load(z + q) - pz;
+        const V r2    = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
+        const V whole = Simd::fma(r2, Simd::inverse_sqrt(r2), -Simd::set(c.length));
+        const V e =
+            plastic != nullptr ? whole - Simd::load(plastic + k * block_size + lane) : whole;
+        M alive           = Simd::mask(bits);
+        const M broken    = Simd::greater(e, Simd::set(c.critical), alive);
+        unsigned int gone = Simd::bits(broken), parted = 0;
+        if (gone != 0) // rarely
         {
-          unsigned int gone = Simd::bits(broken);
           if (a.hold != nullptr)
             gone &= ~Simd::bits(Simd::greater(Simd::load(a.hold + p) + Simd::load(a.hold + q),
                                               Simd::zero(), broken));
-          if (gone != 0)
+          bonds[k] &= uint8_t(~(gone << lane));
+          alive = Simd::mask(bits & ~gone);
+        }
+        if (cracked == nullptr)
+          parted = gone;
+        else if ((cracks | gone) != 0)
+        {
+          parted =
+              Simd::bits(Simd::greater(e, Simd::set(table.parting), Simd::mask(cracks | gone)));
+          cracked[k] = uint8_t((cracked[k] | (gone << lane)) & ~(parted << lane));
+        }
+        if ((gone | parted) != 0)
+          log[n_log++] = {int32_t(block), int16_t(k), uint8_t(gone << lane),
+                          uint8_t(parted << lane)};
+        if (a.strained != nullptr)
+        {
+          const V limit = Simd::set(table.yield_stretch * c.length);
+          const M strained =
+              Simd::mask(Simd::bits(Simd::greater(-e, limit, Simd::mask(bits | cracks))) |
+                         Simd::bits(Simd::greater(e, limit, alive)));
+          if (Simd::any(strained))
           {
-            bonds[k] &= uint8_t(~(gone << lane));
-            log[n_log++] = {int32_t(block), int16_t(k), uint8_t(gone << lane)};
-            alive        = Simd::mask(bits & ~gone);
+            add_to(a.strained + p, Simd::keep(strained, Simd::set(1.)));
+            add_to(a.strained + q, Simd::keep(strained, Simd::set(1.)));
           }
         }
         if constexpr (Law::has_dilatation)
         {
-          const V part = Simd::keep(alive, e * Simd::set(c.dilatation));
+          const V part = Simd::keep(alive, whole * Simd::set(c.dilatation));
           theta        = theta + part;
           Simd::store(a.theta + q, Simd::load(a.theta + q) + part);
         }
@@ -74,7 +99,9 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
   double *const fx = a.force[0], *const fy = a.force[1], *const fz = a.force[2];
   for (int64_t block = first; block < last; ++block)
   {
-    const uint8_t *const bonds = a.bonds + block * table.n;
+    const uint8_t *const bonds   = a.bonds + block * table.n;
+    const uint8_t *const cracked = a.cracked != nullptr ? a.cracked + block * table.n : nullptr;
+    const float *const plastic   = plastic_of(a, table, block);
     for (int lane = 0; lane < block_size; lane += lanes)
     {
       const int64_t p = block * block_size + lane;
@@ -86,8 +113,9 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
         own_half = Simd::load(a.half_weight + p);
       for (int k = 0; k < table.n; ++k)
       {
-        const unsigned int bits = lane_bits(bonds[k], lane);
-        if (bits == 0)
+        const unsigned int bits   = lane_bits(bonds[k], lane);
+        const unsigned int cracks = cracked != nullptr ? lane_bits(cracked[k], lane) : 0;
+        if ((bits | cracks) == 0)
           continue;
         const int64_t q        = p + table.shift[k];
         const BondConstants &c = table.constants[k];
@@ -96,23 +124,33 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
                 dz      = Simd::load(z + q) - pz;
         const V r2      = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
         const V inverse = Simd::inverse_sqrt(r2);
-        const V e       = Simd::fma(r2, inverse, -Simd::set(c.length));
-        V extension     = Simd::set(c.extension);
+        V e             = Simd::fma(r2, inverse, -Simd::set(c.length));
+        if (plastic != nullptr)
+          e = e - Simd::load(plastic + k * block_size + lane);
+        V extension = Simd::set(c.extension);
         if constexpr (weighted)
           extension = extension * (own_half + Simd::load(a.half_weight + q));
         const V tension = Law::template tension<V>(Simd::set(c.volumetric), extension, e,
                                                    theta + Simd::load(a.theta + q));
-        const V t       = Simd::keep(alive, tension * inverse);
-        sx              = Simd::fma(t, dx, sx);
-        sy              = Simd::fma(t, dy, sy);
-        sz              = Simd::fma(t, dz, sz);
+        V t             = Simd::keep(alive, tension * inverse);
+        V push          = Simd::zero(); // stiffness of a crack that is closed
+        if (cracks != 0)
+        {
+          push = Simd::keep(Simd::greater(Simd::zero(), e, Simd::mask(cracks)),
+                            Simd::set(table.cracked_share) * extension);
+          t    = Simd::fma(push * e, inverse, t);
+        }
+        sx = Simd::fma(t, dx, sx);
+        sy = Simd::fma(t, dy, sy);
+        sz = Simd::fma(t, dz, sz);
         Simd::store(fx + q, Simd::fnma(t, dx, Simd::load(fx + q)));
         Simd::store(fy + q, Simd::fnma(t, dy, Simd::load(fy + q)));
         Simd::store(fz + q, Simd::fnma(t, dz, Simd::load(fz + q)));
         if constexpr (with_energy)
         {
-          const V half =
-              Simd::keep(alive, Simd::set(0.5) * Law::template bond_energy<V>(extension, e));
+          const V half = Simd::fma(
+              Simd::set(0.25) * push * e, e,
+              Simd::keep(alive, Simd::set(0.5) * Law::template bond_energy<V>(extension, e)));
           energy = energy + half;
           Simd::store(a.energy + q, Simd::load(a.energy + q) + half);
         }
@@ -166,6 +204,7 @@ constexpr LatticeKernel kernel_of()
           Law::has_dilatation ? &relaxing_force<true, false> : nullptr,
           Law::has_dilatation ? &relaxing_force<false, true> : nullptr,
           Law::has_dilatation ? &relaxing_force<true, true> : nullptr,
+          &flow,
           &advance};
 }
 

@@ -3,6 +3,8 @@
 // Simd.
 #pragma once
 
+#include "ricochet/kernels/lattice_kernel.h"
+
 #include <stdint.h>
 
 namespace ricochet
@@ -19,6 +21,19 @@ using M = Simd::M;
 inline unsigned int lane_bits(const uint8_t bits, const int lane)
 {
   return (bits >> lane) & ((1u << lanes) - 1);
+}
+
+/// [offset][lane] of a block, or null if none of its bonds has flowed.
+inline const float *plastic_of(const LatticeArrays &a, const BondTable &table, const int64_t block)
+{
+  return a.flowed != nullptr && a.flowed[block] ? a.plastic + block * table.n * block_size
+                                                : nullptr;
+}
+
+/// field[0 ... lanes - 1] += value
+inline void add_to(double *const field, const V &value)
+{
+  Simd::store(field, Simd::load(field) + value);
 }
 } // namespace
 } // namespace ricochet

@@ -36,7 +36,8 @@ void relaxing_force(const LatticeArrays &a, const BondTable &table, const Relaxi
   }
   for (int64_t block = first; block < last; ++block)
   {
-    const uint8_t *const intact = a.bonds + block * table.n;
+    const uint8_t *const intact  = a.bonds + block * table.n;
+    const uint8_t *const cracked = a.cracked != nullptr ? a.cracked + block * table.n : nullptr;
     for (int lane = 0; lane < block_size; lane += lanes)
     {
       T *const block_history = all_history + block * table.n * n_branches * block_size + lane;
@@ -56,8 +57,9 @@ void relaxing_force(const LatticeArrays &a, const BondTable &table, const Relaxi
         own_half = Simd::load(a.half_weight + p);
       for (int k = 0; k < table.n; ++k)
       {
-        const unsigned int bits = lane_bits(intact[k], lane);
-        if (bits == 0)
+        const unsigned int bits   = lane_bits(intact[k], lane);
+        const unsigned int cracks = cracked != nullptr ? lane_bits(cracked[k], lane) : 0;
+        if ((bits | cracks) == 0)
           continue;
         const int64_t q        = p + table.shift[k];
         const BondConstants &c = table.constants[k];
@@ -115,18 +117,26 @@ void relaxing_force(const LatticeArrays &a, const BondTable &table, const Relaxi
         }
         else
           tension = stiffness * Simd::fma(length, both, strain);
-        const V t = Simd::keep(alive, tension * inverse);
-        sx        = Simd::fma(t, dx, sx);
-        sy        = Simd::fma(t, dy, sy);
-        sz        = Simd::fma(t, dz, sz);
+        V t    = Simd::keep(alive, tension * inverse);
+        V push = Simd::zero(); // as in the loops without relaxation: a crack has no memory
+        if (cracks != 0)
+        {
+          push = Simd::keep(Simd::greater(Simd::zero(), e, Simd::mask(cracks)),
+                            Simd::set(table.cracked_share) * stiffness);
+          t    = Simd::fma(push * e, inverse, t);
+        }
+        sx = Simd::fma(t, dx, sx);
+        sy = Simd::fma(t, dy, sy);
+        sz = Simd::fma(t, dz, sz);
         Simd::store(fx + q, Simd::fnma(t, dx, Simd::load(fx + q)));
         Simd::store(fy + q, Simd::fnma(t, dy, Simd::load(fy + q)));
         Simd::store(fz + q, Simd::fnma(t, dz, Simd::load(fz + q)));
         if constexpr (with_energy)
         {
           // Half a bond to either end.
-          const V quarter   = Simd::set(0.25) * stiffness;
-          const V half      = Simd::keep(alive, quarter * squares);
+          const V quarter = Simd::set(0.25) * stiffness;
+          const V half =
+              Simd::fma(Simd::set(0.25) * push * e, e, Simd::keep(alive, quarter * squares));
           const V half_loss = Simd::keep(alive, quarter * loss);
           energy            = energy + half;
           dissipated        = dissipated + half_loss;

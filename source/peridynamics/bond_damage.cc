@@ -55,7 +55,7 @@ double BondDamage::sever(LatticeState &state,
 {
   double n_ends            = 0.;
   const auto &offsets      = lattice_.stencil().offsets;
-  std::uint8_t *const bond = state.arrays.bonds;
+  std::uint8_t *const bond = state.arrays.bonds, *const cracked = state.arrays.cracked;
   for (std::ptrdiff_t p = 0; p < lattice_.owned_end(); ++p)
   {
     if (!lattice_.exists(p))
@@ -71,6 +71,8 @@ double BondDamage::sever(LatticeState &state,
           !crosses(X, lattice_.reference_position({c[0] + o.x, c[1] + o.y, c[2] + o.z})))
         continue;
       bond[first + k] &= static_cast<std::uint8_t>(~lane);
+      if (cracked != nullptr)
+        cracked[first + k] |= lane;
       for (const std::ptrdiff_t end : {p, p + lattice_.shift(o)})
       {
         open_[end] |= damaged;

@@ -11,6 +11,9 @@ namespace ricochet
 {
 namespace
 {
+// [spacings]. Nothing hangs on it: doc/failed_material.md.
+constexpr double parting_extension = 0.25;
+
 void check_moduli(const PeridynamicMaterial &material)
 {
   if (!material.law->fixes_poisson_ratio ||
@@ -41,7 +44,17 @@ BondTables::BondTables(const Lattice &lattice, const PeridynamicMaterial &materi
   }
   const double point_stiffness = material.law->point_stiffness(family_);
   const int n                  = static_cast<int>(shifts_.size());
-  breakable_                   = {n, shifts_.data(), breakable_constants_.data(), point_stiffness};
-  unbreakable_ = {n, shifts_.data(), unbreakable_constants_.data(), point_stiffness};
+  const double cracked_share =
+      (3. * material.bulk_modulus + 4. * material.shear_modulus) / (9. * material.shear_modulus);
+  const double parting   = parting_extension * lattice.stencil().spacing;
+  breakable_             = {n,
+                            shifts_.data(),
+                            breakable_constants_.data(),
+                            point_stiffness,
+                            cracked_share,
+                            parting,
+                            least_yielding_stretch(material.flow, material.shear_modulus)};
+  unbreakable_           = breakable_;
+  unbreakable_.constants = unbreakable_constants_.data();
 }
 } // namespace ricochet

@@ -66,12 +66,14 @@ void FractureEnergy::record(const double dt)
 void FractureEnergy::record_bond(const std::ptrdiff_t p, const std::ptrdiff_t q,
                                  const std::size_t k, const std::size_t number, const double dt)
 {
-  const auto &law = *body_.material().law;
-  const auto &c   = body_.bond_constants()[k];
-  const auto e    = extension(body_.state().arrays, p, q, c.length, dt);
+  const auto &law      = *body_.material().law;
+  const auto &c        = body_.bond_constants()[k];
+  const auto e         = extension(body_.state().arrays, p, q, c.length, dt);
+  const double plastic = body_.flow() == nullptr ? 0. : body_.flow()->plastic_extension(p, k);
   // The bilinear form of a quadratic energy by polarisation.
-  double energy   = 0.5 * (law.bond_energy(c, e.now) + law.bond_energy(c, e.before) -
-                         law.bond_energy(c, e.now - e.before));
+  double energy =
+      0.5 * (law.bond_energy(c, e.now - plastic) + law.bond_energy(c, e.before - plastic) -
+             law.bond_energy(c, e.now - e.before));
   LostTheta lost{p, c.dilatation * e.now, c.dilatation * e.before, {}};
   // A branch holds k (e - e_b)^2 / 2; its back-extension stays where it was one step ago.
   const BondViscosity *const history = body_.history();

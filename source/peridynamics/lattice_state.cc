@@ -21,8 +21,8 @@ void LatticeState::Free::operator()(double *p) const
   std::free(p);
 }
 
-LatticeState::LatticeState(const Lattice &lattice) :
-  size_(lattice.size()), bonds_(lattice.intact_bonds())
+LatticeState::LatticeState(const Lattice &lattice, const bool cracks_push) :
+  size_(lattice.size()), bonds_(lattice.intact_bonds()), cracked_(cracks_push ? bonds_.size() : 0)
 {
   const int n                 = n_fields + (lattice.zone() != nullptr ? n_fields_of_zone : 0);
   // Equal distances modulo 4096 bytes between the fields would make loads of one field wait for
@@ -46,8 +46,12 @@ LatticeState::LatticeState(const Lattice &lattice) :
   arrays.theta_before = take();
   arrays.energy       = take();
   arrays.bonds        = bonds_.data();
+  arrays.cracked      = cracks_push ? cracked_.data() : nullptr;
   arrays.free         = lattice.free_mask().data();
   arrays.half_weight = arrays.hold = nullptr;
+  arrays.plastic                   = nullptr; // until BondFlow has some
+  arrays.flowed                    = nullptr;
+  arrays.strained                  = nullptr;
   if (lattice.zone() != nullptr)
   {
     arrays.half_weight = take();
@@ -131,11 +135,17 @@ void LatticeState::take_over(const LatticeState &before, const PlaneExchange &pl
   }
   planes.move(from.theta_before, arrays.theta_before);
   // A ghost's bonds with other ghosts do not exist here.
-  const auto existing = bonds_;
-  planes.move(from.bonds, arrays.bonds,
-              static_cast<double>(lattice.stencil().offsets.size()) / Lattice::block_size);
-  for (std::size_t i = 0; i < existing.size(); ++i)
-    arrays.bonds[i] &= existing[i];
+  const auto existing   = bonds_;
+  const auto move_bonds = [&](const std::uint8_t *const old, std::uint8_t *const now)
+  {
+    planes.move(old, now,
+                static_cast<double>(lattice.stencil().offsets.size()) / Lattice::block_size);
+    for (std::size_t i = 0; i < existing.size(); ++i)
+      now[i] &= existing[i];
+  };
+  move_bonds(from.bonds, arrays.bonds);
+  if (from.cracked != nullptr)
+    move_bonds(from.cracked, arrays.cracked);
 }
 
 void LatticeState::zero(const Lattice &lattice, double *field) const

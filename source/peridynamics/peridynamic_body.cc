@@ -44,10 +44,10 @@ PeridynamicBody::PeridynamicBody(const MPI_Comm communicator, const int number,
                                  const char *instruction_set, const Zone *zone) :
   communicator_(communicator),
   number_(number), lattice_(box, stencil, rank_of(communicator), size_of(communicator), mask, zone),
-  state_(lattice_), material_(material), halo_(communicator, lattice_, number),
-  kernel_(kernel_for(*material.law, instruction_set)), tables_(lattice_, material),
-  mass_(material.density * tables_.family().volume), damage_(lattice_, state_, *kernel_),
-  fracture_(std::make_unique<FractureEnergy>(*this)),
+  state_(lattice_, material.cracks_push), material_(material),
+  halo_(communicator, lattice_, number), kernel_(kernel_for(*material.law, instruction_set)),
+  tables_(lattice_, material), mass_(material.density * tables_.family().volume),
+  damage_(lattice_, state_, *kernel_), fracture_(std::make_unique<FractureEnergy>(*this)),
   stretched_points_(std::make_unique<StretchedPoints>(lattice_))
 {
   find_blocks();
@@ -86,7 +86,7 @@ void PeridynamicBody::follow_zone(const int first, const int last)
 void PeridynamicBody::redistribute(const std::vector<int> &plane_starts)
 {
   Lattice lattice(lattice_, plane_starts, rank_of(communicator_));
-  LatticeState state(lattice);
+  LatticeState state(lattice, material_.cracks_push);
   const std::size_t n_bytes = lattice.size() / Lattice::block_size * tables_.breakable().n;
   std::vector<std::uint8_t> sound(state.arrays.bonds, state.arrays.bonds + n_bytes);
   const PlaneExchange planes(communicator_, lattice_, lattice);
@@ -94,6 +94,8 @@ void PeridynamicBody::redistribute(const std::vector<int> &plane_starts)
   damage_.redistribute(planes, lattice, std::move(sound), *kernel_);
   if (history_)
     history_->redistribute(planes, lattice.size());
+  if (flow_)
+    flow_->redistribute(planes, lattice.size(), state.arrays);
 
   lattice_ = std::move(lattice);
   state_   = std::move(state);
@@ -132,6 +134,7 @@ PeridynamicBody::points_stretched(const double stretch,
 void PeridynamicBody::start_relaxation(const double dt)
 {
   history_.reset();
+  start_flow(dt);
   if (material_.relaxation.empty())
     return;
   if (kernel_->relaxing_force == nullptr)
@@ -143,6 +146,21 @@ void PeridynamicBody::start_relaxation(const double dt)
   history_ =
       std::make_unique<BondViscosity>(lattice_, tables_.family(), tables_.unbreakable_constants(),
                                       material_.relaxation, material_.history_precision, dt);
+}
+
+void PeridynamicBody::start_flow(const double dt)
+{
+  flow_.reset();
+  if (!material_.flow.flows())
+    return;
+  if (!material_.law->has_dilatation)
+    throw InputError(std::string("The bond model '") + material_.law->name +
+                     "' has no shear modulus of its own that could yield. Use 'linear peridynamic "
+                     "solid' or leave out the flow stress.");
+  if (!material_.relaxation.empty())
+    throw InputError("A material that relaxes cannot flow as well. Leave out the relaxation times "
+                     "or the flow stress.");
+  flow_ = std::make_unique<BondFlow>(lattice_, state_.arrays, tables_.family(), material_.flow, dt);
 }
 
 void PeridynamicBody::update_ghosts()
@@ -175,6 +193,8 @@ void PeridynamicBody::compute_dilatation(const BondTable &table)
   in_step_ = true;
   if (history_)
     history_->begin(a);
+  if (flow_)
+    flow_->begin(state_);
   state_.zero(lattice_, a.theta);
   auto &log = damage_.log();
   log.clear();
@@ -194,6 +214,8 @@ void PeridynamicBody::compute_internal_forces(const ForceRequest &request)
 {
   if (!std::exchange(has_dilatation_, false))
     compute_dilatation(tables_.unbreakable());
+  if (flow_ && request.is_step)
+    flow_->step(*kernel_, tables_.breakable(), state_, blocks_.whole, halo_);
   for (double *f : state_.arrays.force)
     state_.zero(lattice_, f);
   if (history_)
@@ -259,6 +281,7 @@ Energies PeridynamicBody::energies(const double dt) const
   energies.kinetic  = points.kinetic;
   energies.strain   = points.strain;
   energies.viscous  = history_ ? history_->dissipated(communicator_) : 0.;
+  energies.plastic  = flow_ ? flow_->dissipated(communicator_) : 0.;
   energies.fracture = fracture_->total(communicator_).energy;
   return energies;
 }

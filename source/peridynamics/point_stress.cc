@@ -49,7 +49,7 @@ PointStress::PointStress(const PeridynamicBody &body) :
 
 void PointStress::find_bonds(const std::ptrdiff_t point)
 {
-  const auto &x         = body_.state().arrays.position;
+  const auto &arrays    = body_.state().arrays;
   const auto &constants = body_.bond_constants();
   bonds_.clear();
   for (std::size_t k = 0; k < shifts_.size(); ++k)
@@ -57,11 +57,15 @@ void PointStress::find_bonds(const std::ptrdiff_t point)
     {
       const std::ptrdiff_t other = forward ? point + shifts_[k] : point - shifts_[k];
       const std::ptrdiff_t first = forward ? point : other;
-      if (first < 0 || !is_intact(first, k))
+      const bool cracked         = first >= 0 && is_set(arrays.cracked, first, k);
+      if (first < 0 || !(cracked || is_set(arrays.bonds, first, k)))
         continue;
-      const Vector3 now   = at(x, other) - at(x, point);
-      const double length = now.norm();
-      bonds_.push_back({k, first, now, 1. / length, length - constants[k].length});
+      const Vector3 now   = at(arrays.position, other) - at(arrays.position, point);
+      const double length = now.norm(), extension = length - constants[k].length;
+      const double elastic =
+          extension - (body_.flow() == nullptr ? 0. : body_.flow()->plastic_extension(first, k));
+      if (!cracked || elastic < 0.)
+        bonds_.push_back({k, first, now, 1. / length, extension, elastic, cracked});
     }
 }
 
@@ -72,15 +76,17 @@ StressState PointStress::of(const std::ptrdiff_t point)
   find_bonds(point);
   double theta = 0.;
   for (const Bond &bond : bonds_)
-    theta += dilatation_[bond.offset] * bond.extension;
+    theta += bond.cracked ? 0. : dilatation_[bond.offset] * bond.extension;
   // Half of a tension is the point's own if both ends have its theta; half of the energy too.
   Virial virial;
   double energy = body_.point_stiffness() * theta * theta;
   for (const Bond &bond : bonds_)
   {
-    const auto &c = constants[bond.offset];
-    virial.add(0.5 * law.tension(c, bond.extension, 2. * theta), bond.now, bond.inverse);
-    energy += 0.5 * law.bond_energy(c, bond.extension);
+    const auto &c     = constants[bond.offset];
+    const double push = body_.cracked_share() * c.extension * bond.elastic;
+    virial.add(0.5 * (bond.cracked ? push : law.tension(c, bond.elastic, 2. * theta)), bond.now,
+               bond.inverse);
+    energy += bond.cracked ? 0.25 * push * bond.elastic : 0.5 * law.bond_energy(c, bond.elastic);
   }
   StressState state{virial.tensor(), theta, energy};
   if (body_.history() != nullptr)
@@ -111,6 +117,8 @@ void PointStress::relax(const std::ptrdiff_t point, StressState &state) const
   double energy = -5. / 6. * body_.material().shear_modulus * body_.point_volume() * squares;
   for (const Bond &bond : bonds_)
   {
+    if (bond.cracked) // has no memory
+      continue;
     const auto &c  = constants[bond.offset];
     const double e = bond.extension;
     double back = 0., springs = 0.;

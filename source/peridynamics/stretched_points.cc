@@ -21,6 +21,8 @@ std::vector<std::ptrdiff_t> StretchedPoints::find(const LatticeKernel &kernel,
   theta_.resize(size);
   LatticeArrays copy = arrays;
   copy.bonds         = bonds_.data();
+  copy.cracked       = nullptr;
+  copy.strained      = nullptr;
   copy.theta         = theta_.data();
 
   std::vector<std::ptrdiff_t> points;

@@ -14,6 +14,8 @@ namespace
 const Words<HistoryPrecision> precisions{{HistoryPrecision::single_precision, "single"},
                                          {HistoryPrecision::double_precision, "double"}};
 
+const Words<bool> broken_bonds{{true, "resist compression"}, {false, "carry nothing"}};
+
 /// The rows that checks speak of, and what the file gives instead of the moduli and the series.
 struct MaterialEntries
 {
@@ -21,9 +23,11 @@ struct MaterialEntries
   double youngs_modulus = 0., poissons_ratio = 0.; // [Pa], [-]
   std::vector<double> shares = {}, times = {};     // [-], [s]
   const Entry *bond_model = nullptr, *E = nullptr, *nu = nullptr, *share = nullptr, *time = nullptr;
+  const Entry *flow_stress = nullptr, *flow_exponent = nullptr, *flow_slope = nullptr;
 
   void read_moduli() const;
   void read_relaxation() const;
+  void check_flow() const;
   void check_bond_model() const;
 };
 
@@ -62,6 +66,26 @@ void MaterialEntries::read_relaxation() const
     share->fail("The bond model '" + material.bond_model +
                     "' has no shear modulus of its own that could relax.",
                 "Choose 'linear peridynamic solid', or remove the relaxation.");
+}
+
+void MaterialEntries::check_flow() const
+{
+  for (const Entry *const entry : {flow_exponent, flow_slope})
+    if (entry->is_given() && !flow_stress->is_given())
+      entry->fail("There is no '" + flow_stress->name + "' that it belongs to.",
+                  "Add it, or remove the line.");
+  if (!flow_stress->is_given())
+    return;
+  if (!flow_exponent->is_given() || !flow_slope->is_given())
+    flow_stress->fail("It needs '" + flow_exponent->name + "' and '" + flow_slope->name + "'.",
+                      "Add them, or remove the line.");
+  if (share->is_given())
+    flow_stress->fail("A material that relaxes cannot flow as well.",
+                      "Remove the line, or '" + share->name + "' and '" + time->name + "'.");
+  if (!bond_law(material.bond_model).has_dilatation)
+    flow_stress->fail("The bond model '" + material.bond_model +
+                          "' has no shear modulus of its own that could yield.",
+                      "Choose 'linear peridynamic solid', or remove the line.");
 }
 
 void MaterialEntries::check_bond_model() const
@@ -106,6 +130,25 @@ void add_fracture_entries(Section &in, MaterialParameters &material)
       quantity(material.energy_release, Dimension::surface_energy, Limit::positive), "500 J/m2",
       "Instead of the critical stretch, the energy that a unit of crack area takes");
   in.one_of({{&stretch}, {&energy}});
+  in.with_default("Broken bonds", choice(material.cracks_push, broken_bonds), "resist compression",
+                  "What a broken bond does until its ends have parted: push as the faces of a "
+                  "closed crack do, or nothing");
+}
+
+void add_flow_entries(Section &in, MaterialEntries &rows)
+{
+  auto &flow       = rows.material.flow;
+  rows.flow_stress = &in.optional(
+      "Flow stress", quantity(flow.stress, Dimension::stress, Limit::positive), "66.78 MPa",
+      "Shear stress at which the material flows without pressure at a shear rate of 1/s; without "
+      "it nothing flows. Finite elements stay elastic");
+  rows.flow_exponent = &in.optional(
+      "Flow rate exponent", quantity(flow.rate_exponent, Dimension::number, Limit::positive),
+      "0.06933", "Power of the shear rate, in 1/s, with which the flow stress rises");
+  rows.flow_slope =
+      &in.optional("Flow pressure coefficient",
+                   quantity(flow.pressure_slope, Dimension::number, Limit::not_negative), "0.223",
+                   "Shear stress by which the flow stress rises, per pressure");
 }
 
 void add_relaxation_entries(Section &in, MaterialEntries &rows)
@@ -136,6 +179,7 @@ Section material_section(MaterialParameters &material)
   const auto rows = std::make_shared<MaterialEntries>(MaterialEntries{material});
   add_elastic_entries(in, *rows);
   add_fracture_entries(in, material);
+  add_flow_entries(in, *rows);
   add_relaxation_entries(in, *rows);
 
   in.check(
@@ -143,6 +187,7 @@ Section material_section(MaterialParameters &material)
       {
         rows->read_moduli();
         rows->read_relaxation();
+        rows->check_flow();
         rows->check_bond_model();
       });
   return in;

@@ -41,7 +41,9 @@ PeridynamicMaterial bonds_of(const Scene &scene, const MaterialParameters &mater
           material.shear_modulus,
           critical_stretch(material, stencil),
           relaxing_within(material.relaxation, scene.time.end_time),
-          material.history_precision};
+          material.history_precision,
+          material.cracks_push,
+          material.flow};
 }
 
 Plate build_plate(const MPI_Comm communicator, const Scene &scene, const std::size_t number,

@@ -9,11 +9,12 @@ namespace ricochet
 struct Energies
 {
   double kinetic    = 0.; // see Body::energies()
-  double strain     = 0.; // in intact bonds and elements
+  double strain     = 0.; // in bonds and elements
   double hourglass  = 0.; // in the hourglass modes of one-point elements
   double conversion = 0.; // lost so far where elements became points
   double fracture   = 0.; // released by broken bonds so far
   double viscous    = 0.; // turned into heat by relaxation so far
+  double plastic    = 0.; // turned into heat by plastic flow so far
   double absorbed   = 0.; // by edges that do not reflect, so far
   double drive      = 0.; // received so far from what prescribes a motion
 
@@ -47,13 +48,15 @@ struct EnergyRow
 inline constexpr EnergyRow<Energies> energy_rows[] = {
     {&Energies::kinetic, EnergyAccount::held, "energy kinetic", "of the plates"},
     {&Energies::strain, EnergyAccount::held, "energy strain",
-     "stored in the plates' intact bonds and elements"},
+     "stored in the plates' bonds and elements"},
     {&Energies::hourglass, EnergyAccount::held, "energy hourglass",
      "stored in the hourglass modes of one-point elements"},
     {&Energies::conversion, EnergyAccount::given, "loss conversion",
      "lost where elements became points"},
     {&Energies::fracture, EnergyAccount::given, "energy fracture", "released by broken bonds"},
     {&Energies::viscous, EnergyAccount::given, "energy viscous", "turned into heat by relaxation"},
+    {&Energies::plastic, EnergyAccount::given, "energy plastic",
+     "turned into heat by plastic flow"},
     {&Energies::absorbed, EnergyAccount::given, "energy absorbed",
      "has left through edges that do not reflect"},
     {&Energies::drive, EnergyAccount::received, "work drive",

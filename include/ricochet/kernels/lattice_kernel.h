@@ -22,7 +22,12 @@ struct LatticeArrays
   double *theta_before; // the same one step ago [-]
   double *energy;       // strain energy of the point [J], only if asked for
   uint8_t *bonds;       // one bit per bond, see Lattice::intact_bonds
+  uint8_t *cracked;     // likewise: broken bonds that still push; null: none ever does
   const uint8_t *free;  // one bit per point that moves by its own force
+  // Of a material that flows, else null:
+  const float *plastic;  // plastic extension per bond, [block][offset][lane] [m]
+  const uint8_t *flowed; // per block: whether it has any
+  double *strained;      // per point: how many of its bonds might make it yield [-]
   // Near an interface to finite elements only, else null:
   double *half_weight; // half the share of a point's energy that counts [-]
   double *hold;        // 0 for free points; 1 for others, whose bonds do not break [-]
@@ -35,14 +40,18 @@ struct BondTable
   const int64_t *shift;           // flat index distance
   const BondConstants *constants; // per offset
   double point_stiffness;         // [J], energy of a point per theta^2
+  double cracked_share;           // stiffness of a shortened cracked bond over `extension` [-]
+  double parting;                 // extension at which a cracked bond is gone for good [m]
+  double yield_stretch;           // least of a bond's that may make its ends yield [-]
 };
 
-/// Bonds broken in one step: up to 8 of the same offset.
+/// What one step did to up to 8 bonds of the same offset.
 struct BrokenBonds
 {
   int32_t block;  // first point / 8
   int16_t offset; // number in the stencil
-  uint8_t points; // bit l: the bond of point 8 block + l
+  uint8_t broken; // bit l: the bond of point 8 block + l
+  uint8_t parted; // likewise: carries nothing from now on
 };
 
 /// History of bonds whose shear stiffness relaxes, and the numbers of a step.
@@ -61,13 +70,28 @@ struct RelaxingBonds
   double dt;          // length of that step [s]
 };
 
+/// Bonds that flow, and the numbers of a step; see peridynamics/bond_flow.h. Per point, ghosts and
+/// images too, but for the first.
+struct FlowingBonds
+{
+  float *plastic;         // see LatticeArrays
+  const double *relaxing; // half the share of the deviatoric part that goes in this step [-]
+  const double *mean;     // of u/|xi| over bonds that carry [-]
+  // Sums over the bonds, which must be zero before:
+  double *carrying;   // of 3 omega |xi|^2 V/m over bonds that carry: 3 in the bulk [-]
+  double *sum;        // of 3 omega |xi| u V/m [-]
+  double *square;     // of the energy (15 mu/2m) omega u^2 V^2 [J]
+  double *dissipated; // so far: added to [J]
+  double dt;          // length of the step that led here [s]
+};
+
 struct LatticeKernel
 {
   const char *instruction_set; // that the loops are compiled for
   int registers_per_block;     // of points
 
-  /// Breaks bonds stretched beyond their limit, unless an end of them is held, and adds every
-  /// intact bond's part to theta, which must be zero before. `log` must hold
+  /// Breaks bonds stretched beyond their limit, unless an end of them is held, lets cracked ones
+  /// part, and adds every intact bond's part to theta, which must be zero before. `log` must hold
   /// registers_per_block entries per block and offset; returns how many were written.
   int64_t (*stretch)(const LatticeArrays &, const BondTable &, int64_t first_block,
                      int64_t last_block, BrokenBonds *log);
@@ -96,6 +120,10 @@ struct LatticeKernel
   RelaxingLoop relaxing_force_and_energy;          // with energies
   RelaxingLoop weighted_relaxing_force;            // with weights
   RelaxingLoop weighted_relaxing_force_and_energy; // with both
+
+  /// Lets bonds flow, and sums up what their ends carry then; theta must be complete.
+  void (*flow)(const LatticeArrays &, const BondTable &, const FlowingBonds &, int64_t first_block,
+               int64_t last_block);
 
   /// Kick and drift of free points: v += f dt/m, x += v dt.
   void (*advance)(const LatticeArrays &, int64_t first_block, int64_t last_block,

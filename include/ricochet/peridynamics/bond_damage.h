@@ -52,6 +52,12 @@ public:
     const std::size_t at = block * shifts_.size() + k;
     return sound_[at] & ~state_.arrays.bonds[at];
   }
+  /// The same of those that carry nothing any more.
+  std::uint8_t parted_bonds(const std::int64_t block, const std::size_t k) const
+  {
+    const std::uint8_t broken = broken_bonds(block, k), *const cracked = state_.arrays.cracked;
+    return cracked == nullptr ? broken : broken & ~cracked[block * shifts_.size() + k];
+  }
   /// Calls visit(p, q, k) for every broken bond k from point p to q, in ascending order of blocks,
   /// then offsets, then points.
   template <class Visitor>

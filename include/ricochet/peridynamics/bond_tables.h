@@ -2,6 +2,16 @@
 // The constants of a body's bonds, which are the same for all its points: one entry per offset of
 // the stencil, in its order. Linear peridynamic solid: Silling et al. 2007, J. Elasticity 88;
 // microelastic brittle: Silling and Askari 2005, Computers and Structures 83.
+//
+// A bond that breaks loses its tension for good. It may go on to resist compression, as the faces
+// of a closed crack do (unilateral damage: Ladeveze 1983; Chaboche 1992, Int. J. Damage Mech. 1):
+// shortened, it pushes with the share
+//   (K + 4 mu/3) / (3 mu)
+// of its stiffness 30 mu omega V^2/m. In a family of such bonds alone that is a solid of Poisson's
+// ratio 1/4 with the modulus K + 4 mu/3 of the whole material in plane compression, so that a
+// closed crack lets a longitudinal wave pass. Its ends have parted, and meet as strangers from
+// then on, once it is a quarter of a spacing too long: opened so far, or slid past each other by as
+// much as makes that.
 #pragma once
 
 #include "ricochet/kernels/lattice_kernel.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The bonds that kernels have broken, as they write them down: up to eight of one offset in an
-// entry.
+// The bonds that kernels have broken or let part, as they write them down: up to eight of one
+// offset in an entry.
 #pragma once
 
 #include "ricochet/kernels/lattice_kernel.h"
@@ -24,7 +24,7 @@ public:
   }
   std::size_t capacity() const { return entries_.size(); } // [entries]
   std::size_t size() const { return size_; }               // [entries]
-  /// Whether nothing has broken.
+  /// Whether nothing has broken or parted.
   bool empty() const { return size_ == 0; }
   /// Forgets what has broken.
   void clear() { size_ = 0; }
@@ -38,14 +38,27 @@ public:
         kernel.stretch(arrays, table, blocks.first, blocks.last, entries_.data() + size_));
   }
 
-  /// Calls visit(p, q, k) for the bond k from point p to q of each, in the order in which they were
-  /// written down; a bond with ends on two ranks stands on both.
+  /// Calls visit(p, q, k) for the bond k from point p to q of each that broke, in the order in
+  /// which they were written down; a bond with ends on two ranks stands on both.
   template <class Visitor>
   void for_each(Visitor &&visit) const
   {
+    for_each_of(&BrokenBonds::broken, visit);
+  }
+  /// The same for those that carry nothing from now on, now broken or earlier.
+  template <class Visitor>
+  void for_each_parted(Visitor &&visit) const
+  {
+    for_each_of(&BrokenBonds::parted, visit);
+  }
+
+private:
+  template <class Visitor>
+  void for_each_of(std::uint8_t BrokenBonds::*const which, Visitor &&visit) const
+  {
     for (std::size_t i = 0; i < size_; ++i)
       for (int lane = 0; lane < Lattice::block_size; ++lane)
-        if ((entries_[i].points >> lane) & 1)
+        if ((entries_[i].*which >> lane) & 1)
         {
           const std::ptrdiff_t p =
               static_cast<std::ptrdiff_t>(entries_[i].block) * Lattice::block_size + lane;
@@ -54,7 +67,6 @@ public:
         }
   }
 
-private:
   std::vector<std::int64_t> shifts_;
   std::vector<BrokenBonds> entries_;
   std::size_t size_ = 0;

@@ -5,8 +5,8 @@
 // A field is one array of Lattice::size() numbers, padding included, indexed by the flat point
 // index; vectors are three fields. Bonds are bits: Lattice::size()/8 * n_offsets bytes,
 // [block][offset], bit l being the bond from point 8 block + l (Silling and Askari 2005: a bond
-// that has broken never heals). Entries where no point exists are zero, but for positions. Units
-// stand at LatticeArrays.
+// that has broken never heals); so are the broken ones that still push. Entries where no point
+// exists are zero, but for positions. Units stand at LatticeArrays.
 #pragma once
 
 #include "ricochet/kernels/lattice_kernel.h"
@@ -22,8 +22,8 @@ class LatticeState
 {
 public:
   /// At rest in the reference configuration, all bonds intact. With a zone there are weights, too.
-  /// Throws std::bad_alloc.
-  explicit LatticeState(const Lattice &lattice);
+  /// `cracks_push`: whether broken bonds may. Throws std::bad_alloc.
+  explicit LatticeState(const Lattice &lattice, bool cracks_push = false);
 
   LatticeArrays arrays; // into the storage below
 
@@ -63,6 +63,6 @@ private:
 
   std::ptrdiff_t size_;
   std::unique_ptr<double[], Free> storage_;
-  std::vector<std::uint8_t> bonds_;
+  std::vector<std::uint8_t> bonds_, cracked_;
 };
 } // namespace ricochet

@@ -11,6 +11,7 @@
 #include "ricochet/bodies/body.h"
 #include "ricochet/peridynamics/bond_blocks.h"
 #include "ricochet/peridynamics/bond_damage.h"
+#include "ricochet/peridynamics/bond_flow.h"
 #include "ricochet/peridynamics/bond_tables.h"
 #include "ricochet/peridynamics/bond_viscosity.h"
 #include "ricochet/peridynamics/halo.h"
@@ -51,13 +52,16 @@ public:
   void book_fracture(double dt) override;
   void compute_internal_forces(const ForceRequest &request) override;
 
-  /// Throws InputError if the law or a branch cannot relax.
+  /// Begins flow, too. Throws InputError if the law or a branch cannot relax, or the law not flow.
   void start_relaxation(double dt) override;
   bool relaxes() const override { return history_ != nullptr; }
   /// Null if the body is elastic.
   const BondViscosity *history() const { return history_.get(); }
   /// The same, to be set from outside.
   BondViscosity *history() { return history_.get(); }
+
+  /// Null if the material does not flow.
+  const BondFlow *flow() const { return flow_.get(); }
 
   /// After the zone has grown by cells whose layers have changed between the planes first <= x <
   /// last (global): new points and bonds appear, at rest in the reference configuration, and slaved
@@ -112,8 +116,9 @@ public:
   /// Per offset.
   const std::vector<BondConstants> &bond_constants() const { return tables_.breakable_constants(); }
   double point_stiffness() const { return tables_.breakable().point_stiffness; } // [J]
-  double point_mass() const { return mass_; }                                    // [kg]
-  double point_volume() const { return mass_ / material_.density; }              // [m^3]
+  double cracked_share() const { return tables_.breakable().cracked_share; } // see BondTable [-]
+  double point_mass() const { return mass_; }                                // [kg]
+  double point_volume() const { return mass_ / material_.density; }          // [m^3]
 
   /// Which bonds there were and which have broken.
   const BondDamage &bond_damage() const { return damage_; }
@@ -127,6 +132,17 @@ public:
   void for_each_newly_broken_bond(Visitor &&visit) const
   {
     damage_.log().for_each(visit);
+  }
+  /// Likewise what it let part.
+  template <class Visitor>
+  void for_each_newly_parted_bond(Visitor &&visit) const
+  {
+    damage_.log().for_each_parted(visit);
+  }
+  /// As BondDamage.
+  std::uint8_t parted_bonds(const std::int64_t block, const std::size_t k) const
+  {
+    return damage_.parted_bonds(block, k);
   }
   /// As BondDamage.
   std::uint8_t broken_bonds(const std::int64_t block, const std::size_t k) const
@@ -164,6 +180,7 @@ public:
 private:
   void find_blocks();
   void compute_dilatation(const BondTable &table);
+  void start_flow(double dt);
   void add_bond_forces(bool energy);
   void add_relaxing_forces(const ForceRequest &request);
 
@@ -181,6 +198,7 @@ private:
   bool has_dilatation_ = false; // of the present positions, by break_bonds()
   bool in_step_        = false; // a dilatation has been computed since the last end_step()
   std::unique_ptr<BondViscosity> history_;
+  std::unique_ptr<BondFlow> flow_;
   std::vector<std::uint8_t> new_bonds_; // that follow_zone() has added, for continue_history()
   std::unique_ptr<FractureEnergy> fracture_;
   std::unique_ptr<StretchedPoints> stretched_points_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ricochet/materials/bond_laws.h"
+#include "ricochet/materials/flow_law.h"
 #include "ricochet/materials/relaxation.h"
 
 namespace ricochet
@@ -19,5 +20,9 @@ struct PeridynamicMaterial
   RelaxationSeries relaxation        = {};
   /// In which histories are kept.
   HistoryPrecision history_precision = HistoryPrecision::single_precision;
+  /// Whether broken bonds resist compression until they part, see BondTables.
+  bool cracks_push                   = false;
+  /// Takes effect, like relaxation, by PeridynamicBody::start_relaxation().
+  FlowLaw flow                       = {};
 };
 } // namespace ricochet

@@ -29,13 +29,13 @@ public:
   /**
    * Of an owned point that has all bonds it ever had to points whose motion is known: a free one.
    * Ghosts must be up to date; with relaxation the forces of the present step must have been
-   * computed, and advance() not. Bonds that are broken do not count; all others count in full,
-   * whatever weight the point's energy has.
+   * computed, and advance() not. Bonds that are broken do not count unless they push; all others
+   * count in full, whatever weight the point's energy has.
    */
   StressState of(std::ptrdiff_t point);
 
 private:
-  /// An intact bond of a point.
+  /// A bond of a point, intact or a crack that is closed.
   struct Bond
   {
     std::size_t offset;   // its number in the stencil
@@ -43,14 +43,17 @@ private:
     Vector3 now;          // y [m]
     double inverse;       // 1/|y| [1/m]
     double extension;     // |y| - |xi| [m]
+    double elastic;       // less its plastic part [m]
+    bool cracked;
   };
   void find_bonds(std::ptrdiff_t point);
-  bool is_intact(const std::ptrdiff_t point, const std::size_t k) const
+  /// Of the bits of all bonds, or null if there are none.
+  bool is_set(const std::uint8_t *const bonds, const std::ptrdiff_t point,
+              const std::size_t k) const
   {
-    const auto &bonds = body_.state().arrays.bonds;
-    return (bonds[(point / Lattice::block_size) * shifts_.size() + k] >>
-            (point % Lattice::block_size)) &
-           1;
+    return bonds != nullptr && (bonds[(point / Lattice::block_size) * shifts_.size() + k] >>
+                                (point % Lattice::block_size)) &
+                                   1;
   }
   /// What the branches take from the elastic answer; all of it times V.
   void relax(std::ptrdiff_t point, StressState &state) const;

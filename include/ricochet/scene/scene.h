@@ -10,6 +10,7 @@
 #include "ricochet/geometry/body_of_revolution.h"
 #include "ricochet/geometry/cutouts.h"
 #include "ricochet/geometry/hex_solid.h"
+#include "ricochet/materials/flow_law.h"
 #include "ricochet/materials/influence_function.h"
 #include "ricochet/materials/relaxation.h"
 
@@ -31,6 +32,8 @@ struct MaterialParameters
   double energy_release;   // G_c [J/m^2]; 0: not given
   RelaxationSeries relaxation        = {}; // of the shear modulus, as given
   HistoryPrecision history_precision = HistoryPrecision::single_precision; // of the bonds
+  bool cracks_push                   = true; // broken bonds resist compression until they part
+  FlowLaw flow                       = {};   // in shear under pressure
 };
 
 /// Of a section 'Plate N'.
