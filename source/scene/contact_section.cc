@@ -30,7 +30,7 @@ void add_shank_entries(Section &in, ContactParameters &contact)
 void add_debris_entries(Section &in, ContactParameters &contact)
 {
   in.with_default("Debris stiffness factor",
-                  quantity(contact.debris_factor, Dimension::number, Limit::not_negative), "15",
+                  quantity(contact.debris_factor, Dimension::number, Limit::not_negative), "1",
                   "Repulsion of separated points, in units of the short-range stiffness; 0 "
                   "switches it off");
   const Entry &friction = in.with_default(
@@ -43,7 +43,7 @@ void add_debris_entries(Section &in, ContactParameters &contact)
       {
         if (contact.debris_friction > 0. && contact.debris_factor == 0.)
           friction.fail("Separated points that do not repel have nothing to rub against.",
-                        "Set 'Debris stiffness factor' above 0 (15 is usual), or this one to 0.");
+                        "Set 'Debris stiffness factor' above 0 (1 is usual), or this one to 0.");
       });
 }
 } // namespace

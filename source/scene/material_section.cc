@@ -70,22 +70,18 @@ void MaterialEntries::read_relaxation() const
 
 void MaterialEntries::check_flow() const
 {
-  for (const Entry *const entry : {flow_exponent, flow_slope})
-    if (entry->is_given() && !flow_stress->is_given())
-      entry->fail("There is no '" + flow_stress->name + "' that it belongs to.",
-                  "Add it, or remove the line.");
-  if (!flow_stress->is_given())
+  if (!material.flow.flows())
     return;
   if (!flow_exponent->is_given() || !flow_slope->is_given())
     flow_stress->fail("It needs '" + flow_exponent->name + "' and '" + flow_slope->name + "'.",
-                      "Add them, or remove the line.");
+                      "Add them, or set it to 0 MPa.");
   if (share->is_given())
     flow_stress->fail("A material that relaxes cannot flow as well.",
-                      "Remove the line, or '" + share->name + "' and '" + time->name + "'.");
+                      "Set it to 0 MPa, or remove '" + share->name + "' and '" + time->name + "'.");
   if (!bond_law(material.bond_model).has_dilatation)
     flow_stress->fail("The bond model '" + material.bond_model +
                           "' has no shear modulus of its own that could yield.",
-                      "Choose 'linear peridynamic solid', or remove the line.");
+                      "Choose 'linear peridynamic solid', or set it to 0 MPa.");
 }
 
 void MaterialEntries::check_bond_model() const
@@ -138,17 +134,17 @@ void add_fracture_entries(Section &in, MaterialParameters &material)
 void add_flow_entries(Section &in, MaterialEntries &rows)
 {
   auto &flow       = rows.material.flow;
-  rows.flow_stress = &in.optional(
-      "Flow stress", quantity(flow.stress, Dimension::stress, Limit::positive), "66.78 MPa",
-      "Shear stress at which the material flows without pressure at a shear rate of 1/s; without "
-      "it nothing flows. Finite elements stay elastic");
+  rows.flow_stress = &in.with_default(
+      "Flow stress", quantity(flow.stress, Dimension::stress, Limit::not_negative), "0 MPa",
+      "Shear stress at which the material flows without pressure at a shear rate of 1/s; 0: "
+      "nothing flows. Finite elements stay elastic");
   rows.flow_exponent = &in.optional(
       "Flow rate exponent", quantity(flow.rate_exponent, Dimension::number, Limit::positive),
       "0.06933", "Power of the shear rate, in 1/s, with which the flow stress rises");
-  rows.flow_slope =
-      &in.optional("Flow pressure coefficient",
-                   quantity(flow.pressure_slope, Dimension::number, Limit::not_negative), "0.223",
-                   "Shear stress by which the flow stress rises, per pressure");
+  rows.flow_slope = &in.optional(
+      "Flow pressure coefficient",
+      quantity(flow.pressure_slope, Dimension::number, Limit::not_negative), "0.223",
+      "Shear stress by which the flow stress rises, per pressure");
 }
 
 void add_relaxation_entries(Section &in, MaterialEntries &rows)
