@@ -44,9 +44,9 @@ Impact collide(HexahedralBody &bar, PeridynamicBody &target, const bool moves,
     least = std::min(least, bar.node_mass(node));
     mobility.push_back(1. / bar.node_mass(node));
   }
-  double squared = largest_frequency(MPI_COMM_SELF, bar, 60).squared_frequency + stiffness / least;
+  double squared = frequency_bound(MPI_COMM_SELF, bar).squared_frequency + stiffness / least;
   if (moves)
-    squared = std::max(squared, largest_frequency(MPI_COMM_SELF, target).squared_frequency +
+    squared = std::max(squared, frequency_bound(MPI_COMM_SELF, target).squared_frequency +
                                     stiffness / target.point_mass());
   const double dt = safety * 2. / std::sqrt(squared);
 
