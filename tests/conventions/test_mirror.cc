@@ -84,6 +84,7 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"search/linked_cells", "search/test_pair_search"},
     {"search/near_points", "search/test_hybrid_search"},
     {"search/pair_loops", "search/test_pair_search"},
+    {"simulation/simulation_time_step", "simulation/test_time_step"},
     {"simulation/zone_summary", "simulation/test_run_summary"},
 };
 
