@@ -49,8 +49,7 @@ void print_stable_step(const HexSolid &solid, const ProjectileParameters &projec
   const double density = share_of(solid) * projectile.mass / volume(solid);
   HexahedralBody elastic(solid, {density, E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))},
                          /*mirrored=*/is_half(solid));
-  const double step =
-      2. / std::sqrt(largest_frequency(MPI_COMM_SELF, elastic, 60).squared_frequency);
+  const double step = 2. / std::sqrt(frequency_bound(MPI_COMM_SELF, elastic).squared_frequency);
   std::printf("stable step    %.4f us (E %.4g GPa, nu %.3f, %.0f kg/m3)\n", step / us, E / GPa, nu,
               density);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/base/noise.h"
 #include "ricochet/coupling/coupled_plate.h"
 
 #include <cmath>
@@ -7,8 +8,7 @@ namespace ricochet
 {
 namespace
 {
-/// Free points and nodes; |u|^2 = sum m u^2, |f|^2 = f M^-1 f, in which M^-1 K is symmetric, the
-/// corrected mass of the nodes included.
+/// Free points, then nodes.
 class CoupledPlateVibration : public Vibration
 {
 public:
@@ -16,69 +16,45 @@ public:
     communicator_(plate.communicator()), plate_(plate), points_(plate.points()),
     elements_(plate.elements()), lattice_(points_.lattice()), a_(points_.state().arrays)
   {
-    double mass = elements_.total_mass();
-    double own  = 0.;
-    for_each_free([&](std::ptrdiff_t) { own += points_.point_mass(); });
-    MPI_Allreduce(MPI_IN_PLACE, &own, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-    size_ = amplitude * lattice_.box().spacing * std::sqrt(mass + own);
+    for_each_free([&](std::ptrdiff_t) { n_of_points_ += 3; });
   }
 
-  void excite() override
+  std::size_t size() const override
   {
-    // The highest modes alternate from point to point; all symmetry classes take part.
-    const auto start = [&](const Vector3 &X, const int d)
-    {
-      const Vector3 c = (X - lattice_.box().corner) / lattice_.box().spacing;
-      const long sum  = std::lround(std::floor(c[0])) + std::lround(std::floor(c[1])) * (d == 1) +
-                       std::lround(std::floor(c[2])) * (d == 2);
-      return (sum % 2 ? -1. : 1.) + noise(c, d);
-    };
+    return n_of_points_ + 3 * static_cast<std::size_t>(elements_.mesh().n_owned_nodes());
+  }
+  double spacing() const override { return lattice_.box().spacing; }
+
+  void excite(std::vector<double> &u) const override
+  {
+    const auto place = [&](const Vector3 &X) -> Vector3
+    { return (X - lattice_.box().corner) / lattice_.box().spacing; };
+    std::size_t i = 0;
     for_each_free(
         [&](const std::ptrdiff_t p)
         {
           for (int d = 0; d < 3; ++d)
-            a_.force[d][p] = points_.point_mass() * start(reference(p), d);
+            u[i++] = noise_at(place(reference(p)), d) / std::sqrt(points_.point_mass());
         });
     const auto &mesh = elements_.mesh();
     for (int node = 0; node < mesh.n_owned_nodes(); ++node)
       for (int d = 0; d < 3; ++d)
-        elements_.force()[3 * node + d] =
-            elements_.mass(node) * start(0.5 * mesh.reference_position(node), d);
+        u[i++] = std::sqrt(elements_.inverse_mass(node, d)) *
+                 noise_at(place(mesh.reference_position(node)), d);
   }
 
-  double response() const override
+  void displace(const std::vector<double> &u) override
   {
-    double sum = elements_.squared_force();
-    for_each_free(
-        [&](const std::ptrdiff_t p)
-        {
-          for (const double *f : a_.force)
-            sum += f[p] * f[p] / points_.point_mass();
-        });
-    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-    return std::sqrt(sum);
-  }
-
-  double response_of_unit() const override { return size_; }
-
-  void displace(const double norm) override
-  {
-    const double factor = -size_ / norm;
+    std::size_t i = 0;
     for_each_free(
         [&](const std::ptrdiff_t p)
         {
           const Vector3 x = reference(p);
           for (int d = 0; d < 3; ++d)
-            a_.position[d][p] = x[d] + factor * a_.force[d][p] / points_.point_mass();
+            a_.position[d][p] = x[d] + u[i++];
         });
-    const auto &mesh = elements_.mesh();
-    for (int node = 0; node < mesh.n_owned_nodes(); ++node)
-      for (int d = 0; d < 3; ++d)
-      {
-        const int i = 3 * node + d;
-        elements_.position()[i] =
-            mesh.reference()[i] + factor * elements_.force()[i] * elements_.inverse_mass(node, d);
-      }
+    for (std::size_t k = 0; i < u.size(); ++k)
+      elements_.position()[k] = elements_.mesh().reference()[k] + u[i++];
   }
 
   void evaluate() override
@@ -87,6 +63,32 @@ public:
     plate_.update_ghosts();
     plate_.compute_internal_forces({});
     plate_.complete_forces();
+  }
+
+  void acceleration(std::vector<double> &a) const override
+  {
+    std::size_t i = 0;
+    for_each_free(
+        [&](const std::ptrdiff_t p)
+        {
+          for (const double *f : a_.force)
+            a[i++] = -f[p] / points_.point_mass();
+        });
+    for (int k = 0; i < a.size(); ++k)
+      a[i++] = -elements_.force()[k] * elements_.inverse_mass(k / 3, k % 3);
+  }
+
+  double product(const std::vector<double> &x, const std::vector<double> &y) const override
+  {
+    double points = 0., nodes = 0.;
+    std::size_t i = 0;
+    for (; i < n_of_points_; ++i)
+      points += x[i] * y[i];
+    for (int k = 0; i < x.size(); ++k, ++i)
+      nodes += elements_.mass(k / 3) * x[i] * y[i];
+    double sum = points_.point_mass() * points + nodes;
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    return sum;
   }
 
   void rest() override { plate_.rest(); }
@@ -113,7 +115,7 @@ private:
   FiniteElementBody &elements_;
   const Lattice &lattice_;
   LatticeArrays &a_;
-  double size_; // |u| [m sqrt(kg)]
+  std::size_t n_of_points_ = 0; // components
 };
 } // namespace
 

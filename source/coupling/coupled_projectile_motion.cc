@@ -2,6 +2,7 @@
 // How a CoupledProjectileBody moves; what it is made of stands in coupled_projectile_body.cc.
 #include "ricochet/coupling/coupled_projectile_body.h"
 
+#include "ricochet/base/noise.h"
 #include "ricochet/base/units.h"
 
 #include <Eigen/Geometry>
@@ -18,44 +19,32 @@ Vector3 value_of(const std::array<double *, 3> &field)
   return {*field[0], *field[1], *field[2]};
 }
 
-/// |u|^2 = sum m u^2, |f|^2 = sum f^2/m.
 class CoupledProjectileVibration : public Vibration
 {
 public:
-  explicit CoupledProjectileVibration(CoupledProjectileBody &body) :
-    body_(body), size_(amplitude * body.spacing() * std::sqrt(body.mass()))
-  {
-  }
+  explicit CoupledProjectileVibration(CoupledProjectileBody &body) : body_(body) {}
 
-  void excite() override
+  std::size_t size() const override { return 3 * body_.mass_points().size(); }
+  double spacing() const override { return body_.spacing(); }
+
+  void excite(std::vector<double> &u) const override
   {
-    // Unweighted by mass: the highest modes live where there is little of it.
+    std::size_t i = 0;
     double number = 0.;
     for (const auto &point : body_.mass_points())
     {
       for (int d = 0; d < 3; ++d)
-        *point.force[d] = noise(Vector3(number, 0., 0.), d);
+        u[i++] = std::sqrt(point.mobility[d]) * noise_at(Vector3(number, 0., 0.), d);
       ++number;
     }
   }
 
-  double response() const override
+  void displace(const std::vector<double> &u) override
   {
-    double sum = 0.;
+    std::size_t i = 0;
     for (const auto &point : body_.mass_points())
       for (int d = 0; d < 3; ++d)
-        sum += *point.force[d] * *point.force[d] * point.mobility[d];
-    return std::sqrt(sum);
-  }
-
-  double response_of_unit() const override { return size_; }
-
-  void displace(const double norm) override
-  {
-    for (const auto &point : body_.mass_points())
-      for (int d = 0; d < 3; ++d)
-        *point.position[d] =
-            point.reference[d] - size_ * *point.force[d] * point.mobility[d] / norm;
+        *point.position[d] = point.reference[d] + u[i++];
     body_.interpolate_to_slaved_points();
   }
 
@@ -64,11 +53,29 @@ public:
     body_.update_ghosts();
     body_.compute_internal_forces({});
   }
+
+  void acceleration(std::vector<double> &a) const override
+  {
+    std::size_t i = 0;
+    for (const auto &point : body_.mass_points())
+      for (int d = 0; d < 3; ++d)
+        a[i++] = -*point.force[d] * point.mobility[d];
+  }
+
+  double product(const std::vector<double> &x, const std::vector<double> &y) const override
+  {
+    double sum    = 0.;
+    std::size_t i = 0;
+    for (const auto &point : body_.mass_points())
+      for (int d = 0; d < 3; ++d, ++i)
+        sum += point.mass * x[i] * y[i];
+    return sum;
+  }
+
   void rest() override { body_.rest(); }
 
 private:
   CoupledProjectileBody &body_;
-  double size_; // |u| [m sqrt(kg)]
 };
 } // namespace
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/base/noise.h"
 #include "ricochet/base/units.h"
 #include "ricochet/finite_elements/finite_element_body.h"
 
@@ -10,7 +11,6 @@ namespace ricochet
 {
 namespace
 {
-/// Nodes have different masses: |u|^2 = sum m u^2, |f|^2 = sum f^2/m, in which M^-1 K is symmetric.
 class FiniteElementVibration : public Vibration
 {
 public:
@@ -22,54 +22,47 @@ public:
       finest = std::min(finest, element.edge);
     MPI_Allreduce(MPI_IN_PLACE, &finest, 1, MPI_DOUBLE, MPI_MIN, communicator);
     finest_ = finest;
-    size_   = amplitude * finest * std::sqrt(body.total_mass());
   }
 
-  void excite() override
+  std::size_t size() const override { return 3 * static_cast<std::size_t>(mesh_.n_owned_nodes()); }
+  double spacing() const override { return finest_; }
+
+  void excite(std::vector<double> &u) const override
   {
-    // The highest modes alternate from node to node of the finest cubes.
     for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
     {
-      const Vector3 c = (mesh_.reference_position(node) - mesh_.box().corner) / finest_;
+      const Vector3 place = (mesh_.reference_position(node) - mesh_.box().corner) / finest_;
       for (int d = 0; d < 3; ++d)
-      {
-        const long sum =
-            std::lround(c[0]) + std::lround(c[1]) * (d == 1) + std::lround(c[2]) * (d == 2);
-        body_.force()[3 * node + d] = body_.mass(node) * ((sum % 2 ? -1. : 1.) + noise(c, d));
-      }
+        u[3 * node + d] = std::sqrt(body_.inverse_mass(node, d)) * noise_at(place, d);
     }
   }
 
-  double response() const override
+  void displace(const std::vector<double> &u) override
   {
-    double sum = 0.;
-    for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
-      for (int d = 0; d < 3; ++d)
-      {
-        const double f = body_.force()[3 * node + d];
-        sum += f * f * body_.inverse_mass(node, d);
-      }
-    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-    return std::sqrt(sum);
-  }
-
-  double response_of_unit() const override { return size_; }
-
-  void displace(const double norm) override
-  {
-    for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
-      for (int d = 0; d < 3; ++d)
-      {
-        const int i = 3 * node + d;
-        body_.position()[i] =
-            mesh_.reference()[i] - size_ * body_.force()[i] * body_.inverse_mass(node, d) / norm;
-      }
+    for (std::size_t i = 0; i < u.size(); ++i)
+      body_.position()[i] = mesh_.reference()[i] + u[i];
   }
 
   void evaluate() override
   {
     body_.update_ghosts();
     body_.compute_internal_forces({});
+    body_.complete_forces();
+  }
+
+  void acceleration(std::vector<double> &a) const override
+  {
+    for (int i = 0; i < static_cast<int>(a.size()); ++i)
+      a[i] = -body_.force()[i] * body_.inverse_mass(i / 3, i % 3);
+  }
+
+  double product(const std::vector<double> &x, const std::vector<double> &y) const override
+  {
+    double sum = 0.;
+    for (int i = 0; i < static_cast<int>(x.size()); ++i)
+      sum += body_.mass(i / 3) * x[i] * y[i];
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    return sum;
   }
 
   void rest() override { body_.rest(); }
@@ -79,7 +72,6 @@ private:
   FiniteElementBody &body_;
   const HexMesh &mesh_;
   double finest_; // smallest edge [m]
-  double size_;   // |u| [m sqrt(kg)]
 };
 } // namespace
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/base/noise.h"
 #include "ricochet/base/units.h"
 #include "ricochet/finite_elements/hexahedral_body.h"
 
@@ -9,50 +10,52 @@ namespace ricochet
 {
 namespace
 {
-/// As FiniteElementVibration: |u|^2 = sum m u^2, |f|^2 = sum f^2/m.
 class HexahedralVibration : public Vibration
 {
 public:
   explicit HexahedralVibration(HexahedralBody &body) :
-    body_(body), size_(amplitude * smallest_edge(body.solid()) * std::sqrt(body.mass()))
+    body_(body), spacing_(smallest_edge(body.solid()))
   {
   }
 
-  void excite() override
-  {
-    // Weighted by 1/m: the highest modes live where the smallest elements are.
-    for (int node = 0; node < body_.n_nodes(); ++node)
-      for (int d = 0; d < 3; ++d)
-        body_.force()[3 * node + d] = noise(Vector3(node, 0., 0.), d);
-  }
+  std::size_t size() const override { return body_.force().size(); }
+  double spacing() const override { return spacing_; }
 
-  double response() const override
-  {
-    double sum = 0.;
-    for (std::size_t i = 0; i < body_.force().size(); ++i)
-      sum += body_.force()[i] * body_.force()[i] * body_.inverse_mass(static_cast<int>(i));
-    return std::sqrt(sum);
-  }
-
-  double response_of_unit() const override { return size_; }
-
-  void displace(const double norm) override
+  void excite(std::vector<double> &u) const override
   {
     for (int node = 0; node < body_.n_nodes(); ++node)
       for (int d = 0; d < 3; ++d)
-      {
-        const int i = 3 * node + d;
-        body_.position()[i] =
-            body_.solid().nodes[node][d] - size_ * body_.force()[i] * body_.inverse_mass(i) / norm;
-      }
+        u[3 * node + d] =
+            std::sqrt(body_.inverse_mass(3 * node + d)) * noise_at(Vector3(node, 0., 0.), d);
+  }
+
+  void displace(const std::vector<double> &u) override
+  {
+    for (std::size_t i = 0; i < u.size(); ++i)
+      body_.position()[i] = body_.solid().nodes[i / 3][static_cast<int>(i % 3)] + u[i];
   }
 
   void evaluate() override { body_.compute_internal_forces({}); }
+
+  void acceleration(std::vector<double> &a) const override
+  {
+    for (int i = 0; i < static_cast<int>(a.size()); ++i)
+      a[i] = -body_.force()[i] * body_.inverse_mass(i);
+  }
+
+  double product(const std::vector<double> &x, const std::vector<double> &y) const override
+  {
+    double sum = 0.;
+    for (int i = 0; i < static_cast<int>(x.size()); ++i)
+      sum += body_.node_mass(i / 3) * x[i] * y[i];
+    return sum;
+  }
+
   void rest() override { body_.rest(); }
 
 private:
   HexahedralBody &body_;
-  double size_; // |u| [m sqrt(kg)]
+  double spacing_; // smallest edge [m]
 };
 } // namespace
 

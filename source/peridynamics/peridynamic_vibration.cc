@@ -1,59 +1,44 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/base/noise.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
 #include "ricochet/peridynamics/plane_sums.h"
-
-#include <cmath>
 
 namespace ricochet
 {
 namespace
 {
-/// All points have the same mass, so the norm is the plain Euclidean one.
 class PeridynamicVibration : public Vibration
 {
 public:
   explicit PeridynamicVibration(PeridynamicBody &body) :
-    body_(body), lattice_(body.lattice()), a_(body.state().arrays),
-    size_(amplitude * lattice_.box().spacing *
-          std::sqrt(double(lattice_.box().n[0]) * lattice_.box().n[1] * lattice_.box().n[2]))
+    body_(body), lattice_(body.lattice()), a_(body.state().arrays)
   {
   }
 
-  void excite() override
+  std::size_t size() const override { return 3 * lattice_.n_owned_points(); }
+  double spacing() const override { return lattice_.box().spacing; }
+
+  void excite(std::vector<double> &u) const override
   {
-    // The highest modes alternate from point to point; start near one.
+    std::size_t i = 0;
     lattice_.for_each_owned(
         [&](const std::ptrdiff_t p)
         {
           const auto c = lattice_.coordinates(p);
           for (int d = 0; d < 3; ++d)
-            a_.force[d][p] = ((c[0] + c[1] * (d == 1) + c[2] * (d == 2)) % 2 ? -1. : 1.) +
-                             noise(Vector3(c[0], c[1], c[2]), d);
+            u[i++] = noise_at(Vector3(c[0], c[1], c[2]), d); // all masses are equal
         });
   }
 
-  double response() const override
+  void displace(const std::vector<double> &u) override
   {
-    PlaneSums<1> sums(lattice_.box().n[0]);
-    lattice_.for_each_owned(
-        [&](const std::ptrdiff_t p)
-        {
-          for (const double *f : a_.force)
-            sums[lattice_.plane_of(p)][0] += f[p] * f[p];
-        });
-    return std::sqrt(sums.total(body_.communicator())[0]);
-  }
-
-  double response_of_unit() const override { return size_ * body_.point_mass(); }
-
-  void displace(const double norm) override
-  {
+    std::size_t i = 0;
     lattice_.for_each_owned(
         [&](const std::ptrdiff_t p)
         {
           const Vector3 x = lattice_.reference_position(lattice_.coordinates(p));
           for (int d = 0; d < 3; ++d)
-            a_.position[d][p] = x[d] - size_ * a_.force[d][p] / norm;
+            a_.position[d][p] = x[d] + u[i++];
         });
   }
 
@@ -63,13 +48,36 @@ public:
     body_.compute_internal_forces({});
   }
 
+  void acceleration(std::vector<double> &a) const override
+  {
+    std::size_t i = 0;
+    lattice_.for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          for (const double *f : a_.force)
+            a[i++] = -f[p] / body_.point_mass();
+        });
+  }
+
+  double product(const std::vector<double> &x, const std::vector<double> &y) const override
+  {
+    PlaneSums<1> sums(lattice_.box().n[0]);
+    std::size_t i = 0;
+    lattice_.for_each_owned(
+        [&](const std::ptrdiff_t p)
+        {
+          for (int d = 0; d < 3; ++d, ++i)
+            sums[lattice_.plane_of(p)][0] += x[i] * y[i];
+        });
+    return body_.point_mass() * sums.total(body_.communicator())[0];
+  }
+
   void rest() override { body_.rest(); }
 
 private:
   PeridynamicBody &body_;
   const Lattice &lattice_;
   LatticeArrays &a_;
-  double size_; // |u| [m]
 };
 } // namespace
 

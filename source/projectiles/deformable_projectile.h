@@ -8,9 +8,6 @@
 
 namespace ricochet
 {
-/// Elements of a projectile differ in size, so its power iteration takes its time.
-constexpr int n_power_iterations = 60;
-
 class DeformableProjectile : public Projectile
 {
 public:

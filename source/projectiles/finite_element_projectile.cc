@@ -34,7 +34,7 @@ FiniteElementProjectile::FiniteElementProjectile(const MPI_Comm communicator, co
   double contact = 0.; // largest squared frequency of a node on the plates' springs
   for (int node = 0; node < elastic_.n_nodes(); ++node)
     contact = std::max(contact, contact_stiffness(node) / elastic_.node_mass(node));
-  const auto estimate = largest_frequency(MPI_COMM_SELF, elastic_, n_power_iterations);
+  const auto estimate = frequency_bound(MPI_COMM_SELF, elastic_);
   squared_frequency_  = estimate.squared_frequency + contact;
   seconds_per_step_   = estimate.seconds_per_force;
   elastic_.set_motion(start);

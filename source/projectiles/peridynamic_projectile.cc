@@ -69,7 +69,7 @@ PeridynamicProjectile::PeridynamicProjectile(const MPI_Comm communicator, const 
   build_skin(skin.nodes, skin.mesh_nodes);
 
   const double contact = bound_contact();
-  const auto estimate  = largest_frequency(MPI_COMM_SELF, *body_, n_power_iterations);
+  const auto estimate  = frequency_bound(MPI_COMM_SELF, *body_);
   squared_frequency_   = estimate.squared_frequency + contact;
   seconds_per_step_    = estimate.seconds_per_force;
   place(start);

@@ -5,7 +5,6 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/contact/friction_laws.h"
 
-#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -16,11 +15,6 @@ namespace
 double youngs_modulus(const PeridynamicMaterial &m)
 {
   return 9. * m.bulk_modulus * m.shear_modulus / (3. * m.bulk_modulus + m.shear_modulus);
-}
-
-double seconds_since(const std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 } // namespace
 
@@ -140,57 +134,6 @@ Vector3 Simulation::support_reaction() const
   for (const auto &support : supports_)
     sum += support->reaction();
   return sum;
-}
-
-void Simulation::choose_time_step()
-{
-  double largest = 0.;
-  std::vector<double> elastic_seconds;
-  time_step_info_ = {};
-  for (const auto &plate : plates_)
-  {
-    const auto estimate  = largest_frequency(communicator_, *plate.body);
-    const double contact = contact_stiffness(*plate.points) / plate.points->point_mass() +
-                           short_range_contact_->squared_frequency(*plate.points);
-    if (estimate.squared_frequency + contact > largest)
-    {
-      largest                       = estimate.squared_frequency + contact;
-      time_step_info_.frequency     = std::sqrt(estimate.squared_frequency);
-      time_step_info_.contact_share = contact / largest;
-    }
-    elastic_seconds.push_back(estimate.seconds_per_force);
-    frequencies_.push_back(estimate);
-  }
-  time_step_info_.seconds_per_step += projectile_->seconds_per_step();
-  const double safety           = scene_.time.safety_factor;
-  time_step_info_.plates_dt     = safety * 2. / std::sqrt(largest);
-  time_step_info_.projectile_dt = safety * 2. / std::sqrt(projectile_->squared_frequency());
-  dt_ = std::min(time_step_info_.plates_dt, time_step_info_.projectile_dt);
-  start_relaxation(elastic_seconds);
-}
-
-void Simulation::start_relaxation(const std::vector<double> &elastic_seconds)
-{
-  for (std::size_t i = 0; i < plates_.size(); ++i)
-  {
-    double seconds = elastic_seconds[i];
-    auto &body     = *plates_[i].body;
-    body.start_relaxation(dt_);
-    if (body.relaxes())
-    {
-      // A step at rest, timed when the memory has been touched, and then from no history again.
-      for (int call = 0; call < 4; ++call)
-      {
-        const auto start = std::chrono::steady_clock::now();
-        body.update_ghosts();
-        body.compute_internal_forces({});
-        seconds = std::max(elastic_seconds[i], seconds_since(start));
-      }
-      body.start_relaxation(dt_);
-      MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, communicator_);
-    }
-    time_step_info_.seconds_per_step += seconds;
-  }
 }
 
 void Simulation::compute_forces(const bool energy)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/simulation/stability_experiment.h"
 
+#include "ricochet/base/noise.h"
 #include "ricochet/base/units.h"
 #include "ricochet/coupling/dispersion.h"
 #include "ricochet/dynamics/largest_frequency.h"
@@ -19,21 +20,6 @@ constexpr double noise               = 1e-6; // of the velocities, in wave speed
 constexpr double runaway             = 1e8;  // still linear, as strains are then 1e-2 at most
 constexpr int steps_between_energies = 20;
 constexpr int n_power_iterations     = 300; // the measure of all else, so to 0.1 %
-
-/// Uniform in [-1, 1], a function of place and component alone and so the same on any rank.
-double random_at(const Vector3 &place, const int component)
-{
-  // SplitMix64 of the place in quarters of a spacing.
-  std::uint64_t z = 0x9e3779b97f4a7c15ull * (component + 1);
-  for (int d = 0; d < 3; ++d)
-  {
-    z += static_cast<std::uint64_t>(std::llround(4. * place[d]) + 1000003);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    z ^= z >> 31;
-  }
-  return 2. * static_cast<double>(z >> 11) / 9007199254740992. - 1.;
-}
 
 /// Slope of a straight line through values at 0, 1, 2 ... by least squares.
 double slope(const std::vector<double> &values)
@@ -111,8 +97,8 @@ public:
       const Vector3 place = X / parameters_.spacing;
       for (int d = 0; d < 3; ++d)
       {
-        a.velocity[d][p] = speed * random_at(place, d);
-        a.position[d][p] = X[d] + shift * random_at(place, 3 + d);
+        a.velocity[d][p] = speed * noise_at(place, d);
+        a.position[d][p] = X[d] + shift * noise_at(place, 3 + d);
       }
     }
     auto velocity = elements.velocity();
@@ -122,8 +108,8 @@ public:
       const Vector3 place = X / parameters_.spacing;
       for (int d = 0; d < 3 && elements.mass(node) > 0.; ++d)
       {
-        velocity[3 * node + d]            = speed * random_at(place, d);
-        elements.position()[3 * node + d] = X[d] + shift * random_at(place, 3 + d);
+        velocity[3 * node + d]            = speed * noise_at(place, d);
+        elements.position()[3 * node + d] = X[d] + shift * noise_at(place, 3 + d);
       }
     }
     elements.set_velocity(velocity);

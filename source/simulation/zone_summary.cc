@@ -102,7 +102,7 @@ const std::vector<SummaryRow<PlateView>> zone_rows{
      "and all below only with an interface"},
     {"largest_frequency_rad_us", "rad/us",
      [](P p) { return if_tested(p, [](R r) { return 1e-6 * r.frequency; }); },
-     "of the coupled plate, without contact"},
+     "of the coupled plate, without contact; a bound from above"},
     {"step_limit_us", "us", [](P p) { return if_tested(p, [](R r) { return r.step_limit / us; }); },
      "largest stable time step that follows from it"},
     {"predicted_step_limit_us", "us",

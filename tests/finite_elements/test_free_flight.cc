@@ -39,9 +39,8 @@ TEST_P(FreeFlight, SpinningAndMovingBodyKeepsEnergyAndMomenta)
   const double radius  = 1e-3 * Vector3(2.5, 2., 1.5).norm();
   const Vector3 spin   = 0.02 * c / radius * Vector3(1., 2., 3.).normalized();
   const Vector3 flight(3., -2., 1.); // [m/s]
-  const double dt =
-      0.9 * 2. / std::sqrt(largest_frequency(MPI_COMM_SELF, *body, 60).squared_frequency);
-  auto velocity = body->velocity();
+  const double dt = 0.9 * 2. / std::sqrt(frequency_bound(MPI_COMM_SELF, *body).squared_frequency);
+  auto velocity   = body->velocity();
   for (int node = 0; node < body->mesh().n_owned_nodes(); ++node)
     set(velocity, node, flight + spin.cross(body->mesh().reference_position(node) - centre));
   body->set_velocity(velocity);
@@ -85,8 +84,7 @@ TEST_P(FreeFlight, NoiseKeepsTheLeapfrogEnergy)
   // v+ + W is conserved and nothing may grow. What remains are the rounding of positions (4e-19 of
   // displacements of 1e-7 * 0.25 mm: 2e-8) and strains squared (1e-7 and less).
   const auto body = make_body(GetParam());
-  const double dt =
-      0.9 * 2. / std::sqrt(largest_frequency(MPI_COMM_SELF, *body, 60).squared_frequency);
+  const double dt = 0.9 * 2. / std::sqrt(frequency_bound(MPI_COMM_SELF, *body).squared_frequency);
   const double speed = 1e-7 * p_wave_speed(pmma());
   auto velocity      = body->velocity();
   for (int node = 0; node < body->mesh().n_owned_nodes(); ++node)

@@ -131,7 +131,7 @@ TEST(Simulation, TrajectoryConvergesInTheTimeStepAtSecondOrder)
 class HalfModel : public testing::TestWithParam<Scene>
 {
 protected:
-  /// Both models with the same time step: the power iteration finds the limit of each to about 1 %,
+  /// Both models with the same time step: the bound finds the limit of each to about 1 %,
   /// and trajectories with different steps would differ by their discretisation error.
   void compare(const double critical_stretch, const int n_steps, const double tolerance)
   {

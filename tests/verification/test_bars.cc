@@ -44,9 +44,9 @@ Impact collide(HexahedralBody &bar, PeridynamicBody &target, const bool moves,
     least = std::min(least, bar.node_mass(node));
     mobility.push_back(1. / bar.node_mass(node));
   }
-  double squared = largest_frequency(MPI_COMM_SELF, bar, 60).squared_frequency + stiffness / least;
+  double squared = frequency_bound(MPI_COMM_SELF, bar).squared_frequency + stiffness / least;
   if (moves)
-    squared = std::max(squared, largest_frequency(MPI_COMM_SELF, target).squared_frequency +
+    squared = std::max(squared, frequency_bound(MPI_COMM_SELF, target).squared_frequency +
                                     stiffness / target.point_mass());
   const double dt = safety * 2. / std::sqrt(squared);
 
@@ -131,7 +131,9 @@ TEST(Bars, FiniteElementBarOnAnEqualBarOfPoints)
 {
   // The same elastic constants and density, nu = 1/4, on both sides. The points' bar is soft at its
   // free faces, by about 4 % in E A at 12 points across, and its ends are soft: hence 5 % for
-  // contact time and force, which are those of the softer bar; seen: 3.9 and 2.6 %.
+  // contact time and force, which are those of the softer bar. The step is so short that it does
+  // not matter: seen are 1.0, 4.8 and 2.9 % (momentum), the same to 0.2 % with a fifth of it. With
+  // longer ones points touch and let go at other times: 2 % of force, 0.2 % of momentum.
   const auto solid = solid_with_poisson_ratio(0.25);
   const double h   = 0.5e-3;
   const int n = 48, across = 12;
@@ -148,7 +150,7 @@ TEST(Bars, FiniteElementBarOnAnEqualBarOfPoints)
   sample.corner        = {-n * h, 0., 0.};
   auto target          = make_body(sample);
   const double plateau = 0.5 * solid.density * c * 10. * std::pow(across * h, 2);
-  const auto impact    = collide(bar, *target, true, 2. * E * h, c, length, plateau, 0.35);
+  const auto impact    = collide(bar, *target, true, 2. * E * h, c, length, plateau, 0.1);
   EXPECT_NEAR(impact.contact_time, 2. * length / c, 0.05 * 2. * length / c);
   EXPECT_NEAR(impact.plateau, plateau, 0.05 * plateau);
   EXPECT_NEAR(impact.passed_on, 1., 0.03);

@@ -29,7 +29,7 @@ double frequency(const int n, const Quadrature quadrature, const double hourglas
   options.hourglass_coefficient = hourglass_coefficient;
   FiniteElementBody bar(MPI_COMM_SELF, {Vector3::Zero(), thickness / n, {10 * n, n, n}, false, {}},
                         pmma(), options);
-  const auto estimate = largest_frequency(MPI_COMM_SELF, bar);
+  const auto estimate = frequency_bound(MPI_COMM_SELF, bar);
   const double dt     = 0.9 * 2. / std::sqrt(estimate.squared_frequency);
   const auto &mesh    = bar.mesh();
 

@@ -27,7 +27,7 @@ CoupledSample small_body(const int n_cells, const bool correct_mass)
 
 double stable_step(PlateModel &plate)
 {
-  return 2. / std::sqrt(largest_frequency(MPI_COMM_SELF, *plate.far, 60).squared_frequency);
+  return 2. / std::sqrt(frequency_bound(MPI_COMM_SELF, *plate.far).squared_frequency);
 }
 
 struct Drift // largest deviation from the start, relative

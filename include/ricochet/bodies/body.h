@@ -88,7 +88,7 @@ public:
   /// Whether the material relaxes from now on.
   virtual bool relaxes() const { return false; }
 
-  /// For largest_frequency() (dynamics/largest_frequency.h); null if the body is rigid.
+  /// For frequency_bound() (dynamics/largest_frequency.h); null if the body is rigid.
   virtual std::unique_ptr<Vibration> vibration() = 0;
 
   /// "The velocity of point (1, 2, 3)" if that is not a finite number, the first such of this rank;

@@ -17,7 +17,7 @@ struct InterfaceReport
 
   std::size_t plate;        // from 0
   PatchReport patch;        // of the patch test
-  double frequency;         // largest, power-iterated [rad/s]
+  double frequency;         // largest, a bound from above [rad/s]
   double step_limit;        // 2 / frequency [s]
   double predicted_limit;   // by the dispersion of lattice and cubes, see coupling/dispersion.h [s]
   double time_step;         // of the run [s]

@@ -109,6 +109,8 @@ private:
   void build_contact();
   void build_supports();
   double contact_stiffness(const PeridynamicBody &plate) const; // [N/m]
+  /// Bound from above, without contact. Collective.
+  FrequencyEstimate frequency_of(const Plate &plate) const;
   void choose_time_step();
   /// Of all plates, whose elastic force evaluations take so long [s].
   void start_relaxation(const std::vector<double> &elastic_seconds);
