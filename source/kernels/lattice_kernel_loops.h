@@ -204,7 +204,8 @@ constexpr LatticeKernel kernel_of()
           Law::has_dilatation ? &relaxing_force<true, false> : nullptr,
           Law::has_dilatation ? &relaxing_force<false, true> : nullptr,
           Law::has_dilatation ? &relaxing_force<true, true> : nullptr,
-          &flow,
+          &flow<false>,
+          &flow<true>,
           &advance};
 }
 

@@ -65,49 +65,58 @@ void BondFlow::mark(const std::ptrdiff_t point)
 
 /// All bonds of owned points that may yield, and all that flow: of ghosts and images too, whose
 /// bonds with owned points this rank keeps as well.
-void BondFlow::find_blocks(const std::vector<Lattice::BlockRange> &whole)
+void BondFlow::mark_blocks()
 {
   std::fill(marked_.begin(), marked_.end(), 0);
   for (const auto &range : lattice_.existing_ranges())
     for (std::ptrdiff_t p = range.first * block_size; p < range.last * block_size; ++p)
       if (relaxing_[p] > 0. || (strained_[p] > 0. && lattice_.owned(p)))
         mark(p);
-  blocks_.clear();
-  for (const auto &range : whole)
+}
+
+/// What of the ranges is marked; from now on it may have flowed.
+std::vector<Lattice::BlockRange> BondFlow::marked(const std::vector<Lattice::BlockRange> &ranges)
+{
+  std::vector<Lattice::BlockRange> result;
+  for (const auto &range : ranges)
     for (std::int64_t block = range.first; block < range.last; ++block)
     {
       if (marked_[block] == 0)
         continue;
       flowed_[block] = 1;
-      if (blocks_.empty() || blocks_.back().last != block)
-        blocks_.push_back({block, block});
-      ++blocks_.back().last;
+      if (result.empty() || result.back().last != block)
+        result.push_back({block, block});
+      ++result.back().last;
     }
+  return result;
 }
 
 void BondFlow::step(const LatticeKernel &kernel, const BondTable &table, const LatticeState &state,
-                    const std::vector<Lattice::BlockRange> &whole, Halo &halo)
+                    const BondBlocks &blocks, Halo &halo)
 {
-  find_blocks(whole);
+  mark_blocks();
   for (auto *const sum : {&carrying_, &sum_, &square_})
     state.zero(lattice_, sum->data());
   const FlowingBonds bonds{
       plastic_.singles(), relaxing_.data(), mean_.data(),       carrying_.data(),
       sum_.data(),        square_.data(),   dissipated_.data(), dt_};
-  for (const auto &range : blocks_)
+  for (const auto &range : marked(blocks.whole))
     kernel.flow(state.arrays, table, bonds, range.first, range.last);
+  for (const auto &range : marked(blocks.weighted))
+    kernel.weighted_flow(state.arrays, table, bonds, range.first, range.last);
   find_shares(state, halo);
 }
 
 void BondFlow::find_shares(const LatticeState &state, Halo &halo)
 {
   const double mu = family_.shear_modulus, V = family_.volume;
+  const double *const half = state.arrays.half_weight;
   state.zero(lattice_, relaxing_.data());
   state.zero(lattice_, mean_.data());
   lattice_.for_each_owned(
       [&](const std::ptrdiff_t p)
       {
-        if (carrying_[p] <= 0. || strained_[p] == 0.)
+        if (carrying_[p] <= 0. || strained_[p] == 0. || (half != nullptr && half[p] < 0.5))
           return;
         const double theta  = sum_[p];
         mean_[p]            = theta / carrying_[p];

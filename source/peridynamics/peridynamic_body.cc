@@ -215,7 +215,7 @@ void PeridynamicBody::compute_internal_forces(const ForceRequest &request)
   if (!std::exchange(has_dilatation_, false))
     compute_dilatation(tables_.unbreakable());
   if (flow_ && request.is_step)
-    flow_->step(*kernel_, tables_.breakable(), state_, blocks_.whole, halo_);
+    flow_->step(*kernel_, tables_.breakable(), state_, blocks_, halo_);
   for (double *f : state_.arrays.force)
     state_.zero(lattice_, f);
   if (history_)

@@ -122,8 +122,10 @@ struct LatticeKernel
   RelaxingLoop weighted_relaxing_force_and_energy; // with both
 
   /// Lets bonds flow, and sums up what their ends carry then; theta must be complete.
-  void (*flow)(const LatticeArrays &, const BondTable &, const FlowingBonds &, int64_t first_block,
-               int64_t last_block);
+  using FlowLoop = void (*)(const LatticeArrays &, const BondTable &, const FlowingBonds &,
+                            int64_t first_block, int64_t last_block);
+  FlowLoop flow;          // of points without weights
+  FlowLoop weighted_flow; // see weighted_force; sums are those of whole bonds
 
   /// Kick and drift of free points: v += f dt/m, x += v dt.
   void (*advance)(const LatticeArrays &, int64_t first_block, int64_t last_block,

@@ -16,7 +16,8 @@
 // they carry then.
 //
 // The mean M is that over bonds which carry: two lonely fragments that meet feel pressure, not
-// shear, and do not sink into each other.
+// shear, and do not sink into each other. Points that share their energy with finite elements do
+// not yield, and neither do the elements.
 #pragma once
 
 #include "ricochet/materials/flow_law.h"
@@ -42,10 +43,9 @@ public:
 
   /// Before theta is computed, which counts the strained bonds.
   void begin(const LatticeState &state);
-  /// One step, once theta is complete: bonds of the blocks `whole` flow. `halo` of the lattice.
-  /// Collective.
+  /// One step, once theta is complete. `blocks` and `halo` of the lattice. Collective.
   void step(const LatticeKernel &kernel, const BondTable &table, const LatticeState &state,
-            const std::vector<Lattice::BlockRange> &whole, Halo &halo);
+            const BondBlocks &blocks, Halo &halo);
 
   /// e_p of a bond, kept at `point` [m].
   double plastic_extension(const std::ptrdiff_t point, const std::size_t offset) const
@@ -61,7 +61,8 @@ public:
 
 private:
   void point_at_fields(LatticeArrays &arrays);
-  void find_blocks(const std::vector<Lattice::BlockRange> &whole);
+  void mark_blocks();
+  std::vector<Lattice::BlockRange> marked(const std::vector<Lattice::BlockRange> &ranges);
   void mark(std::ptrdiff_t point);
   void find_shares(const LatticeState &state, Halo &halo);
 
@@ -71,8 +72,7 @@ private:
   double dt_; // [s]
   BondHistory plastic_;
   std::vector<std::int64_t> reaching_; // blocks that keep bonds of a block's points, relative to it
-  std::vector<std::uint8_t> flowed_, marked_; // per block
-  std::vector<Lattice::BlockRange> blocks_;   // that the present step visits
+  std::vector<std::uint8_t> flowed_, marked_;                                // per block
   std::vector<double> strained_, relaxing_, mean_, carrying_, sum_, square_; // see FlowingBonds
   std::vector<double> dissipated_;
 };
