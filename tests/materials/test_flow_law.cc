@@ -26,7 +26,7 @@ TEST(FlowLaw, StressAfterTheStepIsThatOfTheRate)
 {
   int n_flowing = 0;
   for (const double A : {1e3, 66.78e6, 1e9})
-    for (const double n : {0.005, 0.06933, 0.5, 1.})
+    for (const double n : {0.005, 0.06933, 0.5, 1., 3., 8.})
       for (const double B : {0., 0.223, 1.})
         for (const double dt : {1e-12, 2e-8, 1e-4})
           for (const double p : {-1e9, 0., 3e7, 2e9})
