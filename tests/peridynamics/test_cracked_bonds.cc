@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Broken bonds that resist compression until their ends have parted: bond_tables.h.
+#include "ricochet/contact/short_range_contact.h"
 #include "support/failing_body.h"
 
 #include <gtest/gtest.h>
@@ -153,6 +154,35 @@ TEST(CrackedBonds, BreakingReleasesTheEnergyAndPartingNone)
     EXPECT_EQ(pair.body().energies(dt).fracture, released);
   }
   EXPECT_GT(std::abs(released), 0.);
+}
+
+TEST(CrackedBonds, ContactTakesOverOnceTheyHavePartedAndNotBefore)
+{
+  // Fast points make contact search anew at each step, slow ones go on with the pairs found at the
+  // first.
+  for (const double speed : {0., 1e6})
+  {
+    Pair pair;
+    ShortRangeContact contact(MPI_COMM_SELF, pointers(pair.bodies), 1., false);
+    const auto touching_at = [&](const double extension)
+    {
+      set(pair.body().state().arrays.velocity, pair.q, Vector3(speed, 0., 0.));
+      pair.extend(extension * dx);
+      contact.add_forces(dt);
+      return contact.n_touching();
+    };
+    EXPECT_EQ(touching_at(0.), 0.);
+    EXPECT_EQ(touching_at(0.02), 0.); // breaks
+    EXPECT_EQ(touching_at(-0.2), 0.) << "the crack pushes: contact would count the pair twice";
+    EXPECT_NEAR(pair.tension(), -0.2 * dx * pair.stiffness, 1e-12 * pair.stiffness * dx);
+    EXPECT_EQ(touching_at(0.26), 0.); // parts
+    EXPECT_EQ(touching_at(-0.05), 0.);
+    EXPECT_EQ(pair.tension(), 0.);
+    EXPECT_EQ(touching_at(-0.2), 1.);
+    // Contact begins at 0.9 |xi|; the law of short_range_contact.h with a horizon of one spacing.
+    const double K = pair.body().material().bulk_modulus;
+    EXPECT_NEAR(pair.tension(), -0.1 * dx * 18. * K * dx / M_PI, 1e-12 * K * dx * dx);
+  }
 }
 
 /// A pair with a broken bond closes with 10 m/s each and flies apart again; what the energy differs
