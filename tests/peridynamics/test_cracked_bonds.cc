@@ -156,6 +156,19 @@ TEST(CrackedBonds, BreakingReleasesTheEnergyAndPartingNone)
   EXPECT_GT(std::abs(released), 0.);
 }
 
+TEST(CrackedBonds, LookBetweenStepsDoesNotPartThem)
+{
+  Pair pair;
+  pair.extend(0.1 * dx);
+  set(pair.body().state().arrays.position, pair.q,
+      reference(pair.body(), pair.q) + Vector3(0.3 * dx, 0., 0.));
+  pair.body().update_ghosts();
+  pair.body().compute_internal_forces({true, /*is_step=*/false});
+  EXPECT_FALSE(pair.parted());
+  pair.body().break_bonds();
+  EXPECT_TRUE(pair.parted());
+}
+
 TEST(CrackedBonds, ContactTakesOverOnceTheyHavePartedAndNotBefore)
 {
   // Fast points make contact search anew at each step, slow ones go on with the pairs found at the
