@@ -60,9 +60,9 @@ void BrokenBondPairs::list(const std::vector<double> &skin)
   list_.n_sorted = list_.pairs.size();
 }
 
-void BrokenBondPairs::add_newly_broken()
+void BrokenBondPairs::add_newly_parted()
 {
-  body_.for_each_newly_broken_bond(
+  body_.for_each_newly_parted_bond(
       [&](const std::ptrdiff_t p, const std::ptrdiff_t q, const std::size_t k)
       {
         list_.pairs.push_back(

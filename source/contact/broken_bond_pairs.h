@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Lists the pairs of one body's points whose bond is broken and that may touch.
+// Lists the pairs of one body's points whose bond has parted and that may touch.
 #pragma once
 
 #include "pair_list.h"
@@ -22,9 +22,9 @@ public:
   /// Lists all that may touch before either has left its skin, anew. `skin`: per entry of the
   /// lattice's fields [m].
   void list(const std::vector<double> &skin);
-  /// Adds those whose bond the last evaluation has broken.
-  void add_newly_broken();
-  /// Adds a point and the one at the end of its bond number `offset`, if that is broken.
+  /// Adds those whose bond the last evaluation has let part.
+  void add_newly_parted();
+  /// Adds a point and the one at the end of its bond number `offset`, if that has parted.
   void add(std::ptrdiff_t p, std::size_t offset);
 
   const PairList<Pair> &pairs() const { return list_; }

@@ -55,7 +55,7 @@ void ContactPairs::update(const double dt)
   else
   {
     for (auto &pairs : broken_bond_pairs_)
-      pairs.add_newly_broken();
+      pairs.add_newly_parted();
     if (n_out > 0)
       search_single(out_of_skin);
   }

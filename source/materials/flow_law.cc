@@ -11,11 +11,12 @@ double relaxed_by_flow(const FlowLaw &law, const double tau, const double pressu
 {
   const double over = tau - law.pressure_slope * std::max(0., pressure), stiff = shear_modulus * dt;
   // excess(y) = A exp(n y) + mu dt exp(y) - over, y = log(g/g_0): convex and rising, so that
-  // Newton's method comes down to the root from where the second term alone is `over`.
+  // Newton's method comes down to the root from the first place where one of the two terms alone is
+  // `over`.
   if (over <= law.stress + stiff)
     return 0.;
   const double n = law.rate_exponent;
-  double y       = std::log(over / stiff);
+  double y       = std::min(std::log(over / stiff), std::log(over / law.stress) / n);
   for (int iteration = 0; iteration < 50; ++iteration)
   {
     const double hard = law.stress * std::exp(n * y), viscous = stiff * std::exp(y);

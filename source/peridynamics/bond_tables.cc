@@ -56,5 +56,6 @@ BondTables::BondTables(const Lattice &lattice, const PeridynamicMaterial &materi
                             least_yielding_stretch(material.flow, material.shear_modulus)};
   unbreakable_           = breakable_;
   unbreakable_.constants = unbreakable_constants_.data();
+  unbreakable_.parting   = std::numeric_limits<double>::infinity();
 }
 } // namespace ricochet

@@ -63,6 +63,57 @@ TEST(MaterialEntries, IncompleteOrImpossibleRelaxationIsRejected)
                      {"no shear modulus of its own", "linear peridynamic solid"});
 }
 
+TEST(MaterialEntries, FlowIsReadAndOffWithoutItsStress)
+{
+  EXPECT_FALSE(read_with({}).materials[0].flow.flows());
+  const Scene scene =
+      read_with({"Material PMMA/Flow stress=66.78 MPa", "Material PMMA/Flow rate exponent=0.06933",
+                 "Material PMMA/Flow pressure coefficient=0"});
+  const auto &flow = scene.materials[0].flow;
+  EXPECT_TRUE(flow.flows());
+  EXPECT_DOUBLE_EQ(flow.stress, 66.78e6);
+  EXPECT_EQ(flow.rate_exponent, 0.06933);
+  EXPECT_EQ(flow.pressure_slope, 0.);
+}
+
+TEST(MaterialEntries, IncompleteOrImpossibleFlowIsRejected)
+{
+  const std::string stress   = "Material PMMA/Flow stress=66.78 MPa",
+                    exponent = "Material PMMA/Flow rate exponent=0.06933",
+                    slope    = "Material PMMA/Flow pressure coefficient=0.223";
+  expect_scene_error({stress, slope}, {"command line", "Flow stress = '66.78 MPa'",
+                                       "needs 'Flow rate exponent'", "remove the line"});
+  expect_scene_error({stress, exponent},
+                     {"Flow stress = '66.78 MPa'", "'Flow pressure coefficient'", "Add them"});
+  for (const auto &part : {exponent, slope})
+    expect_scene_error({part}, {"command line", part.substr(part.find('/') + 1, 9),
+                                "no 'Flow stress'", "remove the line"});
+  expect_scene_error({stress, exponent, slope, "Material PMMA/Relaxation shares=0.5",
+                      "Material PMMA/Relaxation times=1 us"},
+                     {"Flow stress = '66.78 MPa'", "relaxes cannot flow", "'Relaxation shares'"});
+  expect_scene_error({stress, exponent, slope, "Material PMMA/Shear modulus=3.54 GPa",
+                      "Material PMMA/Bond model=microelastic brittle"},
+                     {"Flow stress = '66.78 MPa'", "'microelastic brittle'",
+                      "no shear modulus of its own", "linear peridynamic solid"});
+  expect_scene_error({"Material PMMA/Flow stress=0 MPa", exponent, slope}, {"above 0"});
+  expect_scene_error({stress, "Material PMMA/Flow rate exponent=0", slope}, {"above 0"});
+  expect_scene_error({stress, exponent, "Material PMMA/Flow pressure coefficient=-0.1"},
+                     {"Flow pressure coefficient = '-0.1'"});
+}
+
+TEST(MaterialEntries, BrokenBondsResistCompressionUnlessTheyAreToCarryNothing)
+{
+  EXPECT_TRUE(read_with({}).materials[0].cracks_push);
+  for (const bool push : {true, false})
+    EXPECT_EQ(read_with({std::string("Material PMMA/Broken bonds=") +
+                         (push ? "resist compression" : "carry nothing")})
+                  .materials[0]
+                  .cracks_push,
+              push);
+  expect_scene_error({"Material PMMA/Broken bonds=heal"},
+                     {"Broken bonds = 'heal'", "resist compression", "carry nothing"});
+}
+
 TEST(MaterialEntries, BondModelThatFixesPoissonsRatioNeedsFittingModuli)
 {
   const std::string model = "Material PMMA/Bond model=microelastic brittle";
