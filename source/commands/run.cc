@@ -192,8 +192,9 @@ private:
   void write_frame()
   {
     frames_due_.done(simulation_.time());
-    frames_.write(simulation_.time(), simulation_.points(), simulation_.surface(),
-                  simulation_.elements());
+    const auto extent = frames_.extent();
+    frames_.write(simulation_.time(), simulation_.points(extent), simulation_.surface(),
+                  simulation_.elements(extent));
   }
 
   /// Directed bonds evaluated per second of wall time, all ranks [1/s].

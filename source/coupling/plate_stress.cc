@@ -3,17 +3,15 @@
 
 namespace ricochet
 {
-std::vector<StressState> plate_stress(const PeridynamicBody &points, CoupledPlate *const coupled)
+std::vector<StressState> plate_stress(const PeridynamicBody &points, CoupledPlate *const coupled,
+                                      const std::vector<std::ptrdiff_t> &indices)
 {
-  auto states = coupled != nullptr ? coupled->slaved_stress()
-                                   : std::vector<StressState>(points.lattice().size());
+  const auto slaved = coupled != nullptr ? coupled->slaved_stress() : std::vector<StressState>();
   PointStress of_bonds(points);
-  points.lattice().for_each_owned(
-      [&](const std::ptrdiff_t p)
-      {
-        if (points.lattice().free(p))
-          states[p] = of_bonds.of(p);
-      });
+  std::vector<StressState> states;
+  states.reserve(indices.size());
+  for (const std::ptrdiff_t p : indices)
+    states.push_back(points.lattice().free(p) ? of_bonds.of(p) : slaved[p]);
   return states;
 }
 } // namespace ricochet

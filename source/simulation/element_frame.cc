@@ -9,15 +9,19 @@ namespace ricochet
 {
 namespace
 {
-/// The places of points in the section's layer that lie in an element: its corners blended.
-void add_section(const std::array<Vector3, 8> &corners, const Vector3 &low, const double edge,
-                 const Lattice::Box &box, const int body, ElementFrame &frame)
+/// How high the section's layer lies in an element whose lowest corner is `low`: 0 at the bottom, 1
+/// at the top.
+double section_height(const Vector3 &low, const double edge, const Lattice::Box &box)
 {
-  const double spacing = box.spacing;
-  const double eta     = (box.corner.y() + (section_layer(box) + 0.5) * spacing - low.y()) / edge;
-  if (eta <= 0. || eta >= 1.)
-    return;
-  const int n = static_cast<int>(std::lround(edge / spacing));
+  return (box.corner.y() + (section_layer(box) + 0.5) * box.spacing - low.y()) / edge;
+}
+
+/// The places of points in the section's layer, at the height eta, of the last element of the
+/// frame: its corners blended.
+void add_section(const double edge, const double eta, const Lattice::Box &box, ElementFrame &frame)
+{
+  const auto &corners = frame.corners.back();
+  const int n         = static_cast<int>(std::lround(edge / box.spacing));
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k)
     {
@@ -31,7 +35,7 @@ void add_section(const std::array<Vector3, 8> &corners, const Vector3 &low, cons
         x += shape * corners[corner];
       }
       frame.section_position.push_back(x);
-      frame.section_body.push_back(body);
+      frame.section_body.push_back(frame.body.back());
       frame.section_element.push_back(static_cast<int>(frame.corners.size()) - 1);
     }
 }
@@ -43,7 +47,8 @@ int section_layer(const Lattice::Box &box)
   return static_cast<int>(std::floor(1e-9 - box.corner.y() / box.spacing));
 }
 
-void add_elements(const CoupledPlate &coupled_plate, const int body, ElementFrame &frame)
+void add_elements(const CoupledPlate &coupled_plate, const int body, const FrameExtent extent,
+                  ElementFrame &frame)
 {
   const auto &elements = coupled_plate.elements();
   const auto &mesh     = elements.mesh();
@@ -59,6 +64,10 @@ void add_elements(const CoupledPlate &coupled_plate, const int body, ElementFram
     const bool cellwise = element.edge < 1.5 * zone.points_per_edge() * box.spacing;
     if (cellwise && (zone.layer(cell) < zone.far() || zone.has_contact(cell)))
       continue;
+    const double eta = section_height(mesh.reference_position(element.nodes[0]), element.edge, box);
+    const bool in_section = eta > 0. && eta < 1.;
+    if (extent == FrameExtent::section && !in_section)
+      continue;
     std::array<Vector3, 8> corners;
     Vector3 middle = Vector3::Zero(), velocity = Vector3::Zero();
     for (int c = 0; c < 8; ++c)
@@ -72,7 +81,8 @@ void add_elements(const CoupledPlate &coupled_plate, const int body, ElementFram
     frame.velocity.push_back(velocity);
     frame.state.add(element_stress(elements, static_cast<int>(number)));
     frame.body.push_back(body);
-    add_section(corners, mesh.reference_position(element.nodes[0]), element.edge, box, body, frame);
+    if (in_section)
+      add_section(element.edge, eta, box, frame);
   }
 }
 } // namespace ricochet

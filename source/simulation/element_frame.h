@@ -12,5 +12,6 @@ namespace ricochet
 int section_layer(const Lattice::Box &box);
 
 /// Appends this rank's elements but those whose cell has points, which are written as such.
-void add_elements(const CoupledPlate &coupled_plate, int body, ElementFrame &frame);
+void add_elements(const CoupledPlate &coupled_plate, int body, FrameExtent extent,
+                  ElementFrame &frame);
 } // namespace ricochet

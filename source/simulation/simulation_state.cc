@@ -76,7 +76,7 @@ std::string Simulation::describe_fastest_point() const
   return broadcast(communicator_, text.str(), fastest.rank);
 }
 
-PointFrame Simulation::points() const
+PointFrame Simulation::points(const FrameExtent extent) const
 {
   PointFrame frame;
   for (std::size_t i = 0; i < plates_.size(); ++i)
@@ -84,31 +84,38 @@ PointFrame Simulation::points() const
     const auto &plate      = *plates_[i].points;
     const Lattice &lattice = plate.lattice();
     const auto &a          = plate.state().arrays;
-    const auto states      = plate_stress(plate, plates_[i].coupled);
     const int section      = section_layer(lattice.box());
+    std::vector<std::ptrdiff_t> shown;
     lattice.for_each_owned(
         [&](const std::ptrdiff_t p)
         {
-          const auto c    = lattice.coordinates(p);
-          const Vector3 x = at(a.position, p), X = lattice.reference_position(c);
-          frame.position.push_back(x);
-          frame.displacement.push_back(x - X);
-          frame.velocity.push_back(at(a.velocity, p));
-          frame.damage.push_back(plate.damage(p));
-          frame.state.add(states[p]);
-          frame.body.push_back(static_cast<int>(i) + 1);
-          frame.in_section.push_back(c[1] == section);
+          const bool in_section = lattice.coordinates(p)[1] == section;
+          if (extent == FrameExtent::section && !in_section)
+            return;
+          shown.push_back(p);
+          frame.in_section.push_back(in_section);
         });
+    for (const auto &state : plate_stress(plate, plates_[i].coupled, shown))
+      frame.state.add(state);
+    for (const std::ptrdiff_t p : shown)
+    {
+      const Vector3 x = at(a.position, p);
+      frame.position.push_back(x);
+      frame.displacement.push_back(x - lattice.reference_position(lattice.coordinates(p)));
+      frame.velocity.push_back(at(a.velocity, p));
+      frame.damage.push_back(plate.damage(p));
+      frame.body.push_back(static_cast<int>(i) + 1);
+    }
   }
   return frame;
 }
 
-ElementFrame Simulation::elements() const
+ElementFrame Simulation::elements(const FrameExtent extent) const
 {
   ElementFrame frame;
   for (std::size_t i = 0; i < plates_.size(); ++i)
     if (const auto *const coupled = plates_[i].coupled)
-      add_elements(*coupled, static_cast<int>(i) + 1, frame);
+      add_elements(*coupled, static_cast<int>(i) + 1, extent, frame);
   return frame;
 }
 } // namespace ricochet

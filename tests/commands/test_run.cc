@@ -95,32 +95,64 @@ TEST(Run, TellsAtTheStartAndInTheSummaryHowLargePlatesAreComputed)
     EXPECT_NEAR(s[name].get<double>(), value, 1e-12 * value) << name;
 }
 
+/// With all that a frame looks at: bonds and elements that relax, points that follow elements.
+ParameterFile relaxing_file(const std::string &folder, const std::vector<std::string> &more)
+{
+  std::vector<std::string> overrides{"Material PMMA/Relaxation shares=0.3, 0.2",
+                                     "Material PMMA/Relaxation times=5 us, 40 us",
+                                     "Coupling/Zone=boxes",
+                                     "Coupling/Adaptive=true",
+                                     "Plate 1/Zone box=4 mm, 24 mm, -6 mm, 6 mm",
+                                     "Plate 2/Zone box=4 mm, 24 mm, -6 mm, 6 mm",
+                                     "Output/History interval=0.5 us",
+                                     "Time/Final time=12 us"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return two_plates_file(folder, overrides);
+}
+
 TEST(Run, FramesLeaveNoTraceInTheHistory)
 {
-  // With all that a frame looks at: bonds and elements that relax, points that follow elements.
-  const std::vector<std::string> scene{"Material PMMA/Relaxation shares=0.3, 0.2",
-                                       "Material PMMA/Relaxation times=5 us, 40 us",
-                                       "Coupling/Zone=boxes",
-                                       "Coupling/Adaptive=true",
-                                       "Plate 1/Zone box=4 mm, 24 mm, -6 mm, 6 mm",
-                                       "Plate 2/Zone box=4 mm, 24 mm, -6 mm, 6 mm",
-                                       "Output/History interval=0.5 us",
-                                       "Time/Final time=12 us"};
   const ScratchDirectory scratch;
   RunOptions options;
   options.quiet      = true;
   const auto history = [&](const std::string &name, const std::vector<std::string> &more)
   {
-    auto overrides = scene;
-    overrides.insert(overrides.end(), more.begin(), more.end());
     const auto folder = scratch.path() / name;
-    run_scene(MPI_COMM_WORLD, two_plates_file(folder.string(), overrides), options);
+    run_scene(MPI_COMM_WORLD, relaxing_file(folder.string(), more), options);
     return rank() == 0 ? read_text(folder / "history.csv") : std::string();
   };
   const auto without = history("without", {"Output/Picture times=100 us"}),
              with = history("with", {"Output/Frame interval=0.3 us", "Output/ParaView files=true"});
   EXPECT_EQ(with, without);
   EXPECT_EQ(std::filesystem::exists(scratch.path() / "with/vtu/points_0020.pvtu"), true);
+}
+
+TEST(Run, SectionIsTheSameWithoutParaViewFiles)
+{
+  const ScratchDirectory scratch;
+  RunOptions options;
+  options.quiet = true;
+  for (const std::string vtu : {"true", "false"})
+    run_scene(MPI_COMM_WORLD,
+              relaxing_file((scratch.path() / vtu).string(),
+                            {"Output/Frame interval=4 us", "Output/ParaView files=" + vtu}),
+              options);
+  if (rank() != 0)
+    return;
+  const auto with      = scratch.path() / "true/section.h5",
+             without   = scratch.path() / "false/section.h5";
+  std::size_t n_values = 0;
+  for (const std::string frame : {"frame_0000/", "frame_0001/", "frame_0002/", "frame_0003/"})
+    for (const char *field :
+         {"position", "damage", "body", "pressure", "von_mises", "energy_density", "outline"})
+    {
+      const auto one   = read_dataset(with, frame + field),
+                 other = read_dataset(without, frame + field);
+      EXPECT_EQ(one.shape, other.shape) << frame << field;
+      EXPECT_EQ(one.values, other.values) << frame << field;
+      n_values += one.values.size();
+    }
+  EXPECT_GT(n_values, 4u * 8u * 2u * 40u * 6u); // all of both plates' layers
 }
 
 TEST(Run, FinishedOnesAreNotOverwrittenUnasked)

@@ -93,6 +93,7 @@ TEST(FieldWriter, SectionHoldsThePointsOfAllRanks)
   EXPECT_EQ(writer.n_frames(), 3u);
   EXPECT_FALSE(std::filesystem::exists(scratch.path() / "vtu"));
   EXPECT_FALSE(std::filesystem::exists(scratch.path() / "results.pvd"));
+  EXPECT_EQ(writer.extent(), FrameExtent::section);
   if (rank() != 0)
     return;
 
@@ -135,6 +136,7 @@ TEST(FieldWriter, PvdListsAllFramesAndTheirFilesAreWellFormed)
 {
   const ScratchDirectory scratch;
   FieldWriter writer(MPI_COMM_WORLD, scratch.path(), /*vtu=*/true);
+  EXPECT_EQ(writer.extent(), FrameExtent::everything);
   for (std::size_t f = 0; f < times.size(); ++f)
   {
     writer.write(times[f], points_at(times[f], 5), tetragon_at(times[f]));

@@ -44,7 +44,7 @@ TEST(ElementFrame, ShowsTheElementsOutsideTheZoneWhereTheyAre)
 {
   const PlateModel model = moved_plate();
   ElementFrame frame;
-  add_elements(*model.far, /*body=*/3, frame);
+  add_elements(*model.far, /*body=*/3, FrameExtent::everything, frame);
   const std::size_t n_far = count_far(*model.zone, 14);
   ASSERT_LT(n_far, 14u * 14u * 14u);
   ASSERT_EQ(frame.corners.size(), n_far);
@@ -75,7 +75,7 @@ TEST(ElementFrame, SectionFillsTheElementsInTheFirstLayerAsPointsWould)
   const PlateModel model = moved_plate();
   const auto &zone       = *model.zone;
   ElementFrame frame;
-  add_elements(*model.far, /*body=*/3, frame);
+  add_elements(*model.far, /*body=*/3, FrameExtent::everything, frame);
   const std::size_t n_far_in_front = count_far(zone, 1);
   ASSERT_GT(n_far_in_front, 0u);
   const std::size_t n_per_cell = zone.points_per_edge() * zone.points_per_edge();
@@ -98,6 +98,25 @@ TEST(ElementFrame, SectionFillsTheElementsInTheFirstLayerAsPointsWould)
     EXPECT_NEAR(place.y(), 0., 1e-9);
     EXPECT_NEAR(place.x(), std::round(place.x()), 1e-9);
     EXPECT_NEAR(place.z(), std::round(place.z()), 1e-9);
+  }
+}
+
+TEST(ElementFrame, OfTheSectionHoldsTheElementsThatItCuts)
+{
+  const PlateModel model = moved_plate();
+  ElementFrame all, section;
+  add_elements(*model.far, /*body=*/3, FrameExtent::everything, all);
+  add_elements(*model.far, /*body=*/3, FrameExtent::section, section);
+  ASSERT_EQ(section.corners.size(), count_far(*model.zone, 1));
+  EXPECT_EQ(section.body, std::vector<int>(section.corners.size(), 3));
+  EXPECT_EQ(section.section_position, all.section_position);
+  EXPECT_EQ(section.section_body, all.section_body);
+  ASSERT_EQ(section.section_element.size(), all.section_element.size());
+  for (std::size_t i = 0; i < section.section_element.size(); ++i)
+  {
+    const int one = section.section_element[i], other = all.section_element[i];
+    EXPECT_EQ(section.corners[one], all.corners[other]);
+    EXPECT_EQ(section.state.pressure[one], all.state.pressure[other]);
   }
 }
 } // namespace

@@ -11,7 +11,8 @@ namespace ricochet::tests
 namespace
 {
 /// After so many steps, before the next.
-PointFrame points_after(const MPI_Comm communicator, const Scene &scene, const int n_steps)
+PointFrame points_after(const MPI_Comm communicator, const Scene &scene, const int n_steps,
+                        const FrameExtent extent = FrameExtent::everything)
 {
   Simulation simulation(communicator, scene);
   for (int i = 0; i < n_steps; ++i)
@@ -20,7 +21,7 @@ PointFrame points_after(const MPI_Comm communicator, const Scene &scene, const i
     simulation.advance();
   }
   simulation.compute_forces(false);
-  return simulation.points();
+  return simulation.points(extent);
 }
 
 double sum_over_ranks(double value)
@@ -50,6 +51,35 @@ TEST(SimulationState, SectionIsOneLayerWhateverTheNumberOfLayers)
         }
       EXPECT_EQ(sum_over_ranks(n), 30. * 9.) << width << half;
     }
+}
+
+TEST(SimulationState, SectionAloneIsThatOfTheWholeFrame)
+{
+  for (const auto &scene :
+       {relaxing(symmetric(small_scene()), HistoryPrecision::double_precision), coupled_scene()})
+  {
+    const auto all     = points_after(MPI_COMM_WORLD, scene, 40),
+               section = points_after(MPI_COMM_WORLD, scene, 40, FrameExtent::section);
+    std::size_t n      = 0; // points of the section so far
+    for (std::size_t i = 0; i < all.position.size(); ++i)
+      if (all.in_section[i])
+      {
+        ASSERT_LT(n, section.position.size());
+        EXPECT_EQ(section.in_section[n], 1);
+        EXPECT_EQ(section.position[n], all.position[i]);
+        EXPECT_EQ(section.displacement[n], all.displacement[i]);
+        EXPECT_EQ(section.velocity[n], all.velocity[i]);
+        EXPECT_EQ(section.damage[n], all.damage[i]);
+        EXPECT_EQ(section.body[n], all.body[i]);
+        EXPECT_EQ(section.state.dilatation[n], all.state.dilatation[i]);
+        EXPECT_EQ(section.state.pressure[n], all.state.pressure[i]);
+        EXPECT_EQ(section.state.von_mises[n], all.state.von_mises[i]);
+        EXPECT_EQ(section.state.energy_density[n], all.state.energy_density[i]);
+        ++n;
+      }
+    EXPECT_EQ(n, section.position.size());
+    EXPECT_GT(sum_over_ranks(static_cast<double>(n)), 0.);
+  }
 }
 
 TEST(SimulationState, PointsFeelTheSameOnAnyNumberOfRanks)

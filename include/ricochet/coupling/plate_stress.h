@@ -7,10 +7,14 @@
 #include "ricochet/finite_elements/element_stress.h"
 #include "ricochet/peridynamics/point_stress.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace ricochet
 {
-/// Per index of the lattice, of owned points; all others zero. Free points by their bonds; those
-/// that follow elements as these, `coupled` being the plate, or null if all points are free. When
-/// it may be called see PointStress::of(). Collective.
-std::vector<StressState> plate_stress(const PeridynamicBody &points, CoupledPlate *coupled);
+/// Per entry of `indices`, which are owned points of the lattice. Free points by their bonds; those
+/// that follow elements as these, `coupled` being the plate, or null if all these points are free.
+/// When it may be called see PointStress::of(). Collective.
+std::vector<StressState> plate_stress(const PeridynamicBody &points, CoupledPlate *coupled,
+                                      const std::vector<std::ptrdiff_t> &indices);
 } // namespace ricochet

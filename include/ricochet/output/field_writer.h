@@ -17,8 +17,10 @@ public:
   /// write(); both throw FileError on all ranks.
   FieldWriter(MPI_Comm comm, const std::filesystem::path &directory, bool vtu);
 
-  /// Writes the next frame at the time [s]. After a FileError all earlier frames are still
-  /// complete.
+  /// What write() makes use of.
+  FrameExtent extent() const { return vtu_ ? FrameExtent::everything : FrameExtent::section; }
+  /// Writes the next frame, of extent(), at the time [s]. After a FileError all earlier frames are
+  /// still complete.
   void write(double time, const PointFrame &points, const SurfaceFrame &surface,
              const ElementFrame &elements = {});
 

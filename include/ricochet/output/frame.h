@@ -12,6 +12,13 @@
 
 namespace ricochet
 {
+/// Which points and elements a picture consists of.
+enum class FrameExtent
+{
+  everything,
+  section // those in the layer next to the plane y = 0
+};
+
 /// What is shown of the state of points or elements, one number each.
 struct StateFields
 {
@@ -30,7 +37,8 @@ struct StateFields
   }
 };
 
-/// The peridynamic points owned by this rank; all vectors have the same length.
+/// The peridynamic points owned by this rank, all or those in the section; all vectors have the
+/// same length.
 struct PointFrame
 {
   std::vector<Vector3> position;     // current [m]
@@ -42,8 +50,8 @@ struct PointFrame
   std::vector<char> in_section;      // 1 if the point lies in the layer next to the plane y = 0
 };
 
-/// The finite elements owned by this rank, without those that are full of points; all vectors but
-/// those of the section have the same length.
+/// The finite elements owned by this rank, all or those that the section cuts, without those that
+/// are full of points; all vectors but those of the section have the same length.
 struct ElementFrame
 {
   std::vector<std::array<Vector3, 8>> corners; // current, x + 2 y + 4 z of the cube [m]

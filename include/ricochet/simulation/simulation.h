@@ -86,9 +86,9 @@ public:
   std::string describe_fastest_point() const;
 
   // For pictures; between compute_forces() and advance(). Looking changes nothing.
-  PointFrame points() const;                                      // owned by this rank; collective
+  PointFrame points(FrameExtent extent) const;                    // owned by this rank; collective
   SurfaceFrame surface() const { return projectile_->surface(); } // of the projectile
-  ElementFrame elements() const;                                  // owned by this rank
+  ElementFrame elements(FrameExtent extent) const;                // owned by this rank
 
   /// What limits the step, for the user.
   struct TimeStepInfo
