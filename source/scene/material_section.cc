@@ -137,14 +137,14 @@ void add_flow_entries(Section &in, MaterialEntries &rows)
   rows.flow_stress = &in.with_default(
       "Flow stress", quantity(flow.stress, Dimension::stress, Limit::not_negative), "0 MPa",
       "Shear stress at which the material flows without pressure at a shear rate of 1/s; 0: "
-      "nothing flows. Finite elements stay elastic");
+      "nothing flows, whatever the two below say. Finite elements stay elastic");
   rows.flow_exponent = &in.optional(
       "Flow rate exponent", quantity(flow.rate_exponent, Dimension::number, Limit::positive),
       "0.06933", "Power of the shear rate, in 1/s, with which the flow stress rises");
-  rows.flow_slope = &in.optional(
-      "Flow pressure coefficient",
-      quantity(flow.pressure_slope, Dimension::number, Limit::not_negative), "0.223",
-      "Shear stress by which the flow stress rises, per pressure");
+  rows.flow_slope =
+      &in.optional("Flow pressure coefficient",
+                   quantity(flow.pressure_slope, Dimension::number, Limit::not_negative), "0.223",
+                   "Shear stress by which the flow stress rises, per pressure");
 }
 
 void add_relaxation_entries(Section &in, MaterialEntries &rows)

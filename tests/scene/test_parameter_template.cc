@@ -95,7 +95,8 @@ TEST(Template, MarksWhatIsRequired)
   const std::string text = template_text();
   for (const char *line :
        {"set Speed           = 720 m/s # required\n", "set Attack angle    = 0 deg\n",
-        "set Critical stretch    = 0.0105 # required\n", "# set Energy release rate = 500 J/m2\n",
+        "set Critical stretch          = 0.0105 # required\n",
+        "# set Energy release rate       = 500 J/m2\n",
         "set Nose length         = 10.23 mm # required\n", "# set Young's modulus     = 202 GPa\n",
         "Required if 'Nose shape' is ogive or cone."})
     EXPECT_NE(text.find(line), std::string::npos) << "no '" << line << "' in\n" << text;

@@ -57,7 +57,7 @@ TEST(SceneReader, DefaultsAreFilledIn)
   EXPECT_EQ(scene.contact.regularisation_speed, 5.);
   EXPECT_DOUBLE_EQ(scene.contact.shank_resistance, 500e6);
   EXPECT_DOUBLE_EQ(scene.contact.shank_contact_fraction, 0.4);
-  EXPECT_EQ(scene.contact.debris_factor, 15.);
+  EXPECT_EQ(scene.contact.debris_factor, 1.);
   EXPECT_EQ(scene.contact.debris_friction, 0.);
   EXPECT_TRUE(scene.output.picture_times.empty());
   EXPECT_DOUBLE_EQ(scene.time.safety_factor, 0.7);
