@@ -14,6 +14,32 @@ namespace ricochet
 {
 namespace
 {
+/// Which of the bonds `bits` from p ... to q ... break: longer than `critical`, and no end held.
+inline unsigned int beyond_limit(const LatticeArrays &a, const int64_t p, const int64_t q,
+                                 const V &e, const double critical, const unsigned int bits)
+{
+  const M broken    = Simd::greater(e, Simd::set(critical), Simd::mask(bits));
+  unsigned int gone = Simd::bits(broken);
+  if (gone != 0 && a.hold != nullptr) // rarely
+    gone &= ~Simd::bits(
+        Simd::greater(Simd::load(a.hold + p) + Simd::load(a.hold + q), Simd::zero(), broken));
+  return gone;
+}
+
+/// Counts bonds extended by more than `limit` [m] at both ends: those `alive` either way, those of
+/// `pushing` if shortened.
+inline void count_strained(const LatticeArrays &a, const int64_t p, const int64_t q, const V &e,
+                           const double limit, const M &alive, const M &pushing)
+{
+  const unsigned int strained = Simd::bits(Simd::greater(-e, Simd::set(limit), pushing)) |
+                                Simd::bits(Simd::greater(e, Simd::set(limit), alive));
+  if (strained == 0)
+    return;
+  const V one = Simd::keep(Simd::mask(strained), Simd::set(1.));
+  add_to(a.strained + p, one);
+  add_to(a.strained + q, one);
+}
+
 template <class Law>
 int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t first,
                 const int64_t last, BrokenBonds *log)
@@ -44,40 +70,23 @@ int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t fi
         const V whole = Simd::fma(r2, Simd::inverse_sqrt(r2), -Simd::set(c.length));
         const V e =
             plastic != nullptr ? whole - Simd::load(plastic + k * block_size + lane) : whole;
-        M alive           = Simd::mask(bits);
-        const M broken    = Simd::greater(e, Simd::set(c.critical), alive);
-        unsigned int gone = Simd::bits(broken), parted = 0;
-        if (gone != 0) // rarely
+        const unsigned int gone = beyond_limit(a, p, q, e, c.critical, bits);
+        const unsigned int parted =
+            cracked == nullptr
+                ? gone
+                : Simd::bits(Simd::greater(e, Simd::set(table.parting), Simd::mask(cracks | gone)));
+        if ((gone | parted) != 0) // rarely
         {
-          if (a.hold != nullptr)
-            gone &= ~Simd::bits(Simd::greater(Simd::load(a.hold + p) + Simd::load(a.hold + q),
-                                              Simd::zero(), broken));
           bonds[k] &= uint8_t(~(gone << lane));
-          alive = Simd::mask(bits & ~gone);
-        }
-        if (cracked == nullptr)
-          parted = gone;
-        else if ((cracks | gone) != 0)
-        {
-          parted =
-              Simd::bits(Simd::greater(e, Simd::set(table.parting), Simd::mask(cracks | gone)));
-          cracked[k] = uint8_t((cracked[k] | (gone << lane)) & ~(parted << lane));
-        }
-        if ((gone | parted) != 0)
+          if (cracked != nullptr)
+            cracked[k] = uint8_t((cracked[k] | (gone << lane)) & ~(parted << lane));
           log[n_log++] = {int32_t(block), int16_t(k), uint8_t(gone << lane),
                           uint8_t(parted << lane)};
-        if (a.strained != nullptr)
-        {
-          const V limit = Simd::set(table.yield_stretch * c.length);
-          const M strained =
-              Simd::mask(Simd::bits(Simd::greater(-e, limit, Simd::mask(bits | cracks))) |
-                         Simd::bits(Simd::greater(e, limit, alive)));
-          if (Simd::any(strained))
-          {
-            add_to(a.strained + p, Simd::keep(strained, Simd::set(1.)));
-            add_to(a.strained + q, Simd::keep(strained, Simd::set(1.)));
-          }
         }
+        const M alive = Simd::mask(bits & ~gone);
+        if (a.strained != nullptr)
+          count_strained(a, p, q, e, table.yield_stretch * c.length, alive,
+                         Simd::mask((bits & ~gone) | cracks));
         if constexpr (Law::has_dilatation)
         {
           const V part = Simd::keep(alive, whole * Simd::set(c.dilatation));
@@ -133,11 +142,10 @@ void force(const LatticeArrays &a, const BondTable &table, const int64_t first, 
         const V tension = Law::template tension<V>(Simd::set(c.volumetric), extension, e,
                                                    theta + Simd::load(a.theta + q));
         V t             = Simd::keep(alive, tension * inverse);
-        V push          = Simd::zero(); // stiffness of a crack that is closed
+        V push          = Simd::zero();
         if (cracks != 0)
         {
-          push = Simd::keep(Simd::greater(Simd::zero(), e, Simd::mask(cracks)),
-                            Simd::set(table.cracked_share) * extension);
+          push = stiffness_of_closed(cracks, e, Simd::set(table.cracked_share) * extension);
           t    = Simd::fma(push * e, inverse, t);
         }
         sx = Simd::fma(t, dx, sx);

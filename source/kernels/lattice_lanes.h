@@ -30,6 +30,12 @@ inline const float *plastic_of(const LatticeArrays &a, const BondTable &table, c
                                                 : nullptr;
 }
 
+/// `stiffness` of the cracks that are closed: of the bonds `cracks` with e < 0.
+inline V stiffness_of_closed(const unsigned int cracks, const V &e, const V &stiffness)
+{
+  return Simd::keep(Simd::greater(Simd::zero(), e, Simd::mask(cracks)), stiffness);
+}
+
 /// field[0 ... lanes - 1] += value
 inline void add_to(double *const field, const V &value)
 {

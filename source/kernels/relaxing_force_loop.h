@@ -121,8 +121,7 @@ void relaxing_force(const LatticeArrays &a, const BondTable &table, const Relaxi
         V push = Simd::zero(); // as in the loops without relaxation: a crack has no memory
         if (cracks != 0)
         {
-          push = Simd::keep(Simd::greater(Simd::zero(), e, Simd::mask(cracks)),
-                            Simd::set(table.cracked_share) * stiffness);
+          push = stiffness_of_closed(cracks, e, Simd::set(table.cracked_share) * stiffness);
           t    = Simd::fma(push * e, inverse, t);
         }
         sx = Simd::fma(t, dx, sx);
