@@ -40,143 +40,157 @@ inline void count_strained(const LatticeArrays &a, const int64_t p, const int64_
   add_to(a.strained + q, one);
 }
 
-template <class Law>
-int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t first,
-                const int64_t last, BrokenBonds *log)
+/// stretch() of one block; `failing`: some of its bonds are cracked or have flowed. Returns the end
+/// of the log.
+template <class Law, bool failing>
+BrokenBonds *stretch_block(const LatticeArrays &a, const BondTable &table, const int64_t block,
+                           BrokenBonds *log)
 {
   const double *const x = a.position[0], *const y = a.position[1], *const z = a.position[2];
-  int64_t n_log = 0;
-  for (int64_t block = first; block < last; ++block)
+  uint8_t *const bonds       = a.bonds + block * table.n;
+  uint8_t *const cracked     = a.cracked != nullptr ? a.cracked + block * table.n : nullptr;
+  const float *const plastic = failing ? plastic_of(a, table, block) : nullptr;
+  for (int lane = 0; lane < block_size; lane += lanes)
   {
-    uint8_t *const bonds       = a.bonds + block * table.n;
-    uint8_t *const cracked     = a.cracked != nullptr ? a.cracked + block * table.n : nullptr;
-    const float *const plastic = plastic_of(a, table, block);
-    for (int lane = 0; lane < block_size; lane += lanes)
+    const int64_t p = block * block_size + lane;
+    const V px = Simd::load(x + p), py = Simd::load(y + p), pz = Simd::load(z + p);
+    V theta = Simd::zero();
+    for (int k = 0; k < table.n; ++k)
     {
-      const int64_t p = block * block_size + lane;
-      const V px = Simd::load(x + p), py = Simd::load(y + p), pz = Simd::load(z + p);
-      V theta = Simd::zero();
-      for (int k = 0; k < table.n; ++k)
+      const unsigned int bits   = lane_bits(bonds[k], lane);
+      const unsigned int cracks = failing && cracked != nullptr ? lane_bits(cracked[k], lane) : 0;
+      if ((bits | cracks) == 0)
+        continue;
+      const int64_t q        = p + table.shift[k];
+      const BondConstants &c = table.constants[k];
+      const V dx = Simd::load(x + q) - px, dy = Simd::load(y + q) - py, dz = Simd::load(z + q) - pz;
+      const V r2    = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
+      const V whole = Simd::fma(r2, Simd::inverse_sqrt(r2), -Simd::set(c.length));
+      V e           = whole;
+      if (failing && plastic != nullptr)
+        e = e - Simd::load(plastic + k * block_size + lane);
+      const unsigned int gone = beyond_limit(a, p, q, e, c.critical, bits);
+      unsigned int parted     = gone;
+      if (cracked != nullptr && (cracks | gone) != 0)
+        parted = Simd::bits(Simd::greater(e, Simd::set(table.parting), Simd::mask(cracks | gone)));
+      if ((gone | parted) != 0) // rarely
       {
-        const unsigned int bits   = lane_bits(bonds[k], lane);
-        const unsigned int cracks = cracked != nullptr ? lane_bits(cracked[k], lane) : 0;
-        if ((bits | cracks) == 0)
-          continue;
-        const int64_t q        = p + table.shift[k];
-        const BondConstants &c = table.constants[k];
-        const V dx = Simd::load(x + q) - px, dy = Simd::load(y + q) - py,
-                dz    = Simd::load(z + q) - pz;
-        const V r2    = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
-        const V whole = Simd::fma(r2, Simd::inverse_sqrt(r2), -Simd::set(c.length));
-        const V e =
-            plastic != nullptr ? whole - Simd::load(plastic + k * block_size + lane) : whole;
-        const unsigned int gone = beyond_limit(a, p, q, e, c.critical, bits);
-        const unsigned int parted =
-            cracked == nullptr
-                ? gone
-                : Simd::bits(Simd::greater(e, Simd::set(table.parting), Simd::mask(cracks | gone)));
-        if ((gone | parted) != 0) // rarely
-        {
-          bonds[k] &= uint8_t(~(gone << lane));
-          if (cracked != nullptr)
-            cracked[k] = uint8_t((cracked[k] | (gone << lane)) & ~(parted << lane));
-          log[n_log++] = {int32_t(block), int16_t(k), uint8_t(gone << lane),
-                          uint8_t(parted << lane)};
-        }
-        const M alive = Simd::mask(bits & ~gone);
-        if (a.strained != nullptr)
-          count_strained(a, p, q, e, table.yield_stretch * c.length, alive,
-                         Simd::mask((bits & ~gone) | cracks));
-        if constexpr (Law::has_dilatation)
-        {
-          const V part = Simd::keep(alive, whole * Simd::set(c.dilatation));
-          theta        = theta + part;
-          Simd::store(a.theta + q, Simd::load(a.theta + q) + part);
-        }
+        bonds[k] &= uint8_t(~(gone << lane));
+        if (cracked != nullptr)
+          cracked[k] = uint8_t((cracked[k] | (gone << lane)) & ~(parted << lane));
+        *log++ = {int32_t(block), int16_t(k), uint8_t(gone << lane), uint8_t(parted << lane)};
       }
+      const M alive = Simd::mask(bits & ~gone);
+      if (a.strained != nullptr)
+        count_strained(a, p, q, e, table.yield_stretch * c.length, alive,
+                       Simd::mask((bits & ~gone) | cracks));
       if constexpr (Law::has_dilatation)
-        Simd::store(a.theta + p, Simd::load(a.theta + p) + theta);
+      {
+        const V part = Simd::keep(alive, whole * Simd::set(c.dilatation));
+        theta        = theta + part;
+        add_to(a.theta + q, part);
+      }
+    }
+    if constexpr (Law::has_dilatation)
+      add_to(a.theta + p, theta);
+  }
+  return log;
+}
+
+template <class Law>
+int64_t stretch(const LatticeArrays &a, const BondTable &table, const int64_t first,
+                const int64_t last, BrokenBonds *const log)
+{
+  BrokenBonds *end = log;
+  for (int64_t block = first; block < last; ++block)
+    end = is_failing(a, table, block) ? stretch_block<Law, true>(a, table, block, end)
+                                      : stretch_block<Law, false>(a, table, block, end);
+  return end - log;
+}
+
+/// force() of one block; `failing`: some of its bonds are cracked or have flowed.
+template <class Law, bool with_energy, bool weighted, bool failing>
+void force_of_block(const LatticeArrays &a, const BondTable &table, const int64_t block)
+{
+  const double *const x = a.position[0], *const y = a.position[1], *const z = a.position[2];
+  double *const fx = a.force[0], *const fy = a.force[1], *const fz = a.force[2];
+  const uint8_t *const bonds   = a.bonds + block * table.n;
+  const uint8_t *const cracked = a.cracked != nullptr ? a.cracked + block * table.n : nullptr;
+  const float *const plastic   = failing ? plastic_of(a, table, block) : nullptr;
+  for (int lane = 0; lane < block_size; lane += lanes)
+  {
+    const int64_t p = block * block_size + lane;
+    const V px = Simd::load(x + p), py = Simd::load(y + p), pz = Simd::load(z + p);
+    const V theta = Simd::load(a.theta + p);
+    V sx = Simd::zero(), sy = Simd::zero(), sz = Simd::zero(), energy = Simd::zero();
+    V own_half = Simd::zero();
+    if constexpr (weighted)
+      own_half = Simd::load(a.half_weight + p);
+    for (int k = 0; k < table.n; ++k)
+    {
+      const unsigned int bits   = lane_bits(bonds[k], lane);
+      const unsigned int cracks = failing && cracked != nullptr ? lane_bits(cracked[k], lane) : 0;
+      if ((bits | cracks) == 0)
+        continue;
+      const int64_t q        = p + table.shift[k];
+      const BondConstants &c = table.constants[k];
+      const M alive          = Simd::mask(bits);
+      const V dx = Simd::load(x + q) - px, dy = Simd::load(y + q) - py, dz = Simd::load(z + q) - pz;
+      const V r2      = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
+      const V inverse = Simd::inverse_sqrt(r2);
+      V e             = Simd::fma(r2, inverse, -Simd::set(c.length));
+      if (failing && plastic != nullptr)
+        e = e - Simd::load(plastic + k * block_size + lane);
+      V extension = Simd::set(c.extension);
+      if constexpr (weighted)
+        extension = extension * (own_half + Simd::load(a.half_weight + q));
+      const V tension = Law::template tension<V>(Simd::set(c.volumetric), extension, e,
+                                                 theta + Simd::load(a.theta + q));
+      V t             = Simd::keep(alive, tension * inverse);
+      V push          = Simd::zero();
+      if (failing && cracks != 0)
+      {
+        push = stiffness_of_closed(cracks, e, Simd::set(table.cracked_share) * extension);
+        t    = Simd::fma(push * e, inverse, t);
+      }
+      sx = Simd::fma(t, dx, sx);
+      sy = Simd::fma(t, dy, sy);
+      sz = Simd::fma(t, dz, sz);
+      Simd::store(fx + q, Simd::fnma(t, dx, Simd::load(fx + q)));
+      Simd::store(fy + q, Simd::fnma(t, dy, Simd::load(fy + q)));
+      Simd::store(fz + q, Simd::fnma(t, dz, Simd::load(fz + q)));
+      if constexpr (with_energy)
+      {
+        const V half = Simd::fma(
+            Simd::set(0.25) * push * e, e,
+            Simd::keep(alive, Simd::set(0.5) * Law::template bond_energy<V>(extension, e)));
+        energy = energy + half;
+        Simd::store(a.energy + q, Simd::load(a.energy + q) + half);
+      }
+    }
+    Simd::store(fx + p, Simd::load(fx + p) + sx);
+    Simd::store(fy + p, Simd::load(fy + p) + sy);
+    Simd::store(fz + p, Simd::load(fz + p) + sz);
+    if constexpr (with_energy)
+    {
+      // w theta^2 = (w theta)^2 / w; without weight theta is zero.
+      V stiffness = Simd::set(table.point_stiffness);
+      if constexpr (weighted)
+        stiffness = stiffness / (own_half + own_half + Simd::set(1e-30));
+      Simd::store(a.energy + p,
+                  Simd::fma(stiffness, theta * theta, Simd::load(a.energy + p) + energy));
     }
   }
-  return n_log;
 }
 
 template <class Law, bool with_energy, bool weighted>
 void force(const LatticeArrays &a, const BondTable &table, const int64_t first, const int64_t last)
 {
-  const double *const x = a.position[0], *const y = a.position[1], *const z = a.position[2];
-  double *const fx = a.force[0], *const fy = a.force[1], *const fz = a.force[2];
   for (int64_t block = first; block < last; ++block)
-  {
-    const uint8_t *const bonds   = a.bonds + block * table.n;
-    const uint8_t *const cracked = a.cracked != nullptr ? a.cracked + block * table.n : nullptr;
-    const float *const plastic   = plastic_of(a, table, block);
-    for (int lane = 0; lane < block_size; lane += lanes)
-    {
-      const int64_t p = block * block_size + lane;
-      const V px = Simd::load(x + p), py = Simd::load(y + p), pz = Simd::load(z + p);
-      const V theta = Simd::load(a.theta + p);
-      V sx = Simd::zero(), sy = Simd::zero(), sz = Simd::zero(), energy = Simd::zero();
-      V own_half = Simd::zero();
-      if constexpr (weighted)
-        own_half = Simd::load(a.half_weight + p);
-      for (int k = 0; k < table.n; ++k)
-      {
-        const unsigned int bits   = lane_bits(bonds[k], lane);
-        const unsigned int cracks = cracked != nullptr ? lane_bits(cracked[k], lane) : 0;
-        if ((bits | cracks) == 0)
-          continue;
-        const int64_t q        = p + table.shift[k];
-        const BondConstants &c = table.constants[k];
-        const M alive          = Simd::mask(bits);
-        const V dx = Simd::load(x + q) - px, dy = Simd::load(y + q) - py,
-                dz      = Simd::load(z + q) - pz;
-        const V r2      = Simd::fma(dx, dx, Simd::fma(dy, dy, dz * dz));
-        const V inverse = Simd::inverse_sqrt(r2);
-        V e             = Simd::fma(r2, inverse, -Simd::set(c.length));
-        if (plastic != nullptr)
-          e = e - Simd::load(plastic + k * block_size + lane);
-        V extension = Simd::set(c.extension);
-        if constexpr (weighted)
-          extension = extension * (own_half + Simd::load(a.half_weight + q));
-        const V tension = Law::template tension<V>(Simd::set(c.volumetric), extension, e,
-                                                   theta + Simd::load(a.theta + q));
-        V t             = Simd::keep(alive, tension * inverse);
-        V push          = Simd::zero();
-        if (cracks != 0)
-        {
-          push = stiffness_of_closed(cracks, e, Simd::set(table.cracked_share) * extension);
-          t    = Simd::fma(push * e, inverse, t);
-        }
-        sx = Simd::fma(t, dx, sx);
-        sy = Simd::fma(t, dy, sy);
-        sz = Simd::fma(t, dz, sz);
-        Simd::store(fx + q, Simd::fnma(t, dx, Simd::load(fx + q)));
-        Simd::store(fy + q, Simd::fnma(t, dy, Simd::load(fy + q)));
-        Simd::store(fz + q, Simd::fnma(t, dz, Simd::load(fz + q)));
-        if constexpr (with_energy)
-        {
-          const V half = Simd::fma(
-              Simd::set(0.25) * push * e, e,
-              Simd::keep(alive, Simd::set(0.5) * Law::template bond_energy<V>(extension, e)));
-          energy = energy + half;
-          Simd::store(a.energy + q, Simd::load(a.energy + q) + half);
-        }
-      }
-      Simd::store(fx + p, Simd::load(fx + p) + sx);
-      Simd::store(fy + p, Simd::load(fy + p) + sy);
-      Simd::store(fz + p, Simd::load(fz + p) + sz);
-      if constexpr (with_energy)
-      {
-        // w theta^2 = (w theta)^2 / w; without weight theta is zero.
-        V stiffness = Simd::set(table.point_stiffness);
-        if constexpr (weighted)
-          stiffness = stiffness / (own_half + own_half + Simd::set(1e-30));
-        Simd::store(a.energy + p,
-                    Simd::fma(stiffness, theta * theta, Simd::load(a.energy + p) + energy));
-      }
-    }
-  }
+    if (is_failing(a, table, block))
+      force_of_block<Law, with_energy, weighted, true>(a, table, block);
+    else
+      force_of_block<Law, with_energy, weighted, false>(a, table, block);
 }
 
 inline void advance(const LatticeArrays &a, const int64_t first, const int64_t last,

@@ -30,6 +30,21 @@ inline const float *plastic_of(const LatticeArrays &a, const BondTable &table, c
                                                 : nullptr;
 }
 
+/// Whether any bond of a block is cracked or has flowed: most blocks have none, and loops that need
+/// not look are faster.
+inline bool is_failing(const LatticeArrays &a, const BondTable &table, const int64_t block)
+{
+  if (a.flowed != nullptr && a.flowed[block])
+    return true;
+  if (a.cracked == nullptr)
+    return false;
+  const uint8_t *const cracked = a.cracked + block * table.n;
+  unsigned int any             = 0;
+  for (int k = 0; k < table.n; ++k)
+    any |= cracked[k];
+  return any != 0;
+}
+
 /// `stiffness` of the cracks that are closed: of the bonds `cracks` with e < 0.
 inline V stiffness_of_closed(const unsigned int cracks, const V &e, const V &stiffness)
 {
