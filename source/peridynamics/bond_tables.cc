@@ -11,7 +11,7 @@ namespace ricochet
 {
 namespace
 {
-// [spacings]. Nothing hangs on it: doc/failed_material.md.
+// [spacings]. A choice, and what hangs on it: doc/convergence.md.
 constexpr double parting_extension = 0.25;
 
 void check_moduli(const PeridynamicMaterial &material)
