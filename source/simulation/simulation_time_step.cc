@@ -57,7 +57,7 @@ void Simulation::choose_time_step()
     frequencies_.push_back(estimate);
   }
   time_step_info_.seconds_per_step += projectile_->seconds_per_step();
-  const double safety           = scene_.time.safety_factor;
+  const double safety = scene_.time.safety_factor;
   time_step_info_.plates_dt =
       std::min(safety * 2. / std::sqrt(largest), 2. / std::sqrt(largest_cracked));
   time_step_info_.projectile_dt = safety * 2. / std::sqrt(projectile_->squared_frequency());
