@@ -4,6 +4,7 @@
 #include "plane_exchange.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ricochet
@@ -50,6 +51,18 @@ void BondDamage::find_rims()
     }
 }
 
+/// Whether the body lacks a place that a bond passes: the nearest ones to it, at half spacings.
+bool BondDamage::spans_cutout(const std::array<int, 3> &from, const Stencil::Offset &o) const
+{
+  const int n   = 2 * lattice_.stencil().reach;
+  const auto at = [n](const int start, const int length, const int i)
+  { return start + static_cast<int>(std::lround(static_cast<double>(length * i) / n)); };
+  for (int i = 1; i < n && lattice_.has_cutouts(); ++i)
+    if (lattice_.is_cut_out({at(from[0], o.x, i), at(from[1], o.y, i), at(from[2], o.z, i)}))
+      return true;
+  return false;
+}
+
 double BondDamage::sever(LatticeState &state,
                          const std::function<bool(const Vector3 &, const Vector3 &)> &crosses)
 {
@@ -71,7 +84,7 @@ double BondDamage::sever(LatticeState &state,
           !crosses(X, lattice_.reference_position({c[0] + o.x, c[1] + o.y, c[2] + o.z})))
         continue;
       bond[first + k] &= static_cast<std::uint8_t>(~lane);
-      if (cracked != nullptr)
+      if (cracked != nullptr && !spans_cutout(c, o)) // whose walls are apart
         cracked[first + k] |= lane;
       for (const std::ptrdiff_t end : {p, p + lattice_.shift(o)})
       {

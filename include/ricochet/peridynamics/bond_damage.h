@@ -9,6 +9,7 @@
 #include "ricochet/peridynamics/broken_bond_log.h"
 #include "ricochet/peridynamics/lattice_state.h"
 
+#include <array>
 #include <functional>
 #include <mpi.h>
 #include <vector>
@@ -82,6 +83,7 @@ private:
   int family_size(std::ptrdiff_t index, const std::uint8_t *bonds) const;
   void count_families(const Lattice &lattice);
   void find_rims();
+  bool spans_cutout(const std::array<int, 3> &from, const Stencil::Offset &o) const;
 
   static constexpr char damaged = 1, at_rim = 2;
 
