@@ -4,7 +4,7 @@
 // microelastic brittle: Silling and Askari 2005, Computers and Structures 83.
 //
 // A bond that breaks loses its tension for good. It may go on to resist compression, as the faces
-// of a closed crack do (unilateral damage: Ladeveze 1983; Chaboche 1992, Int. J. Damage Mech. 1):
+// of a closed crack do (unilateral damage, Chaboche 1992, Int. J. Damage Mech. 1):
 // shortened, it pushes with the share
 //   (K + 4 mu/3) / (3 mu)
 // of its stiffness 30 mu omega V^2/m. In a family of such bonds alone that is a solid of Poisson's
