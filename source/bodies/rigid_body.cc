@@ -110,4 +110,14 @@ std::pair<Vector3, Vector3> RigidBody::bounding_box() const
     }
   return {motion_.position + low, motion_.position + high};
 }
+
+void RigidBody::exchange_state(StateArchive &archive)
+{
+  const StateArchive::Group group(archive, "rigid body");
+  archive.common("position", motion_.position);
+  archive.common("velocity", motion_.velocity);
+  archive.common("orientation", motion_.orientation.coeffs().data(), 4);
+  archive.common("spin", motion_.spin);
+  archive.common("angular momentum", angular_momentum_);
+}
 } // namespace ricochet

@@ -3,6 +3,7 @@
 
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/number_text.h"
+#include "ricochet/base/state_size.h"
 #include "ricochet/base/units.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/simulation/interface_report.h"
@@ -128,10 +129,19 @@ void print_projectile(const Scene &scene, const Projectile &projectile)
                 scene.projectile.youngs_modulus / GPa, scene.projectile.poissons_ratio);
 }
 
+/// In bytes.
+double size_of_state(const MPI_Comm communicator, Simulation &simulation)
+{
+  StateSize size(communicator);
+  simulation.exchange_state(size);
+  return size.bytes();
+}
+
 /// Sums over all ranks.
 struct Cost
 {
   double points, bonds, memory; // of whole plates; in bytes
+  double checkpoint;            // [bytes]
   int n_ranks;
 };
 
@@ -145,6 +155,9 @@ void print_cost(const Simulation &simulation, const Cost &cost)
   std::printf("size           %.0f points, %.4g M bonds%s\n", cost.points, cost.bonds / 1e6,
               simulation.scene().symmetric ? ", half of them computed" : "");
   std::printf("memory         %.3g GB on %d %s\n", cost.memory / 1e9, cost.n_ranks, ranks);
+  const auto &output = simulation.scene().output;
+  if (output.checkpoint_interval > 0. || output.checkpoint_wall_interval > 0.)
+    std::printf("checkpoint     %.3g MB each, two are kept\n", cost.checkpoint / 1e6);
   std::printf("time step      %.4g us (bonds alone would allow %.4g us, contact takes %.0f %% of "
               "the squared frequency)\n",
               simulation.dt() / us, time.safety_factor * 2. / info.frequency / us,
@@ -198,7 +211,7 @@ bool check_scene(const MPI_Comm communicator, const ParameterFile &file,
   const bool good = std::all_of(interfaces.begin(), interfaces.end(),
                                 [](const InterfaceReport &report) { return report.good(); });
   const Cost cost{simulation.n_points(), simulation.n_bonds(), memory_of_all_ranks(communicator),
-                  size_of(communicator)};
+                  size_of_state(communicator, simulation), size_of(communicator)};
   if (rank_in(communicator) != 0)
     return good;
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Ctrl-C as a wish to stop after the present step instead of an end on the spot.
+// Signals as wishes that are met after the present step, instead of an end on the spot.
 #pragma once
 
 #include <mpi.h>
 
 namespace ricochet
 {
-/// Catches SIGINT and SIGTERM while it lives; a second signal ends the program at once.
+/// While it lives, SIGINT and SIGTERM are wishes to stop, a second of which ends the program at
+/// once, and SIGUSR1 one for a checkpoint.
 class Interruption
 {
 public:
@@ -15,7 +16,13 @@ public:
   Interruption(const Interruption &)            = delete;
   Interruption &operator=(const Interruption &) = delete;
 
+  struct Wishes
+  {
+    bool stop, checkpoint;
+  };
+  /// What any rank has been asked for; a checkpoint is asked for once. Collective.
+  Wishes wishes(MPI_Comm communicator) const;
   /// Whether any rank has been asked to stop. Collective.
-  bool requested(MPI_Comm communicator) const;
+  bool requested(const MPI_Comm communicator) const { return wishes(communicator).stop; }
 };
 } // namespace ricochet

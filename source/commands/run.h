@@ -5,6 +5,7 @@
 
 #include "ricochet/scene/parameter_file.h"
 
+#include <filesystem>
 #include <mpi.h>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -21,11 +22,20 @@ struct RunOptions
  * Runs the scene of the file. Collective. Returns the summary, which also stands in summary.json.
  *
  * Throws InputError, FileError or RunError; a run that breaks down leaves its history, frames and a
- * summary which says so. SIGINT and SIGTERM end the run in order after the present step:
- * "interrupted" is then true in the summary.
+ * summary which says so. SIGINT, SIGTERM and the wall-clock limit end the run in order after the
+ * present step, with a checkpoint: "interrupted" is then true in the summary.
  */
 nlohmann::ordered_json run_scene(MPI_Comm communicator, const ParameterFile &file,
                                  const RunOptions &options);
+
+/**
+ * Goes on with the run in `directory` from its newest checkpoint, on any number of ranks; all that
+ * it writes becomes what it would have been without a break. `overrides`: see resumed_parameters().
+ * Otherwise as run_scene(). Throws FileError if there is no checkpoint.
+ */
+nlohmann::ordered_json resume_scene(MPI_Comm communicator, const std::filesystem::path &directory,
+                                    const std::vector<ParameterEntry> &overrides,
+                                    const RunOptions &options);
 
 /// The verdict of a summary in a few lines for the terminal.
 std::string describe_run(const nlohmann::ordered_json &summary);

@@ -71,4 +71,12 @@ void RunWarnings::update(const Moment &moment)
            " %: elements are too large for what they have to follow. Set 'Coupling/Quadrature = "
            "full', choose fewer 'Coupling/Coarsening levels', or enlarge the zone.");
 }
+
+void RunWarnings::exchange_state(StateArchive &archive)
+{
+  const StateArchive::Group group(archive, "warnings");
+  archive.common("deepest", deepest_);
+  archive.common("on elements since", on_elements_since_);
+  hourglass_.exchange_state(archive);
+}
 } // namespace ricochet

@@ -16,6 +16,9 @@ public:
   /// Energies: call at records. Collective.
   void update(const Moment &moment);
 
+  /// Saves or restores what has been seen and warned of.
+  void exchange_state(StateArchive &archive);
+
   double deepest() const { return deepest_; } // penetration of a point so far [dx]
   /// Since when the projectile has touched finite elements; negative: never [s].
   double on_elements_since() const { return on_elements_since_; }

@@ -18,4 +18,16 @@ void FrictionWork::record(const double dt)
     work_[body->lattice().plane_of(point)][0] +=
         work_of_step(force, before, at(body->state().arrays.velocity, point), dt);
 }
+
+void FrictionWork::move_home(const PeridynamicBody &body)
+{
+  const Lattice &lattice = body.lattice();
+  work_.move_home(body.communicator(), lattice.first_plane(),
+                  lattice.first_plane() + lattice.n_planes());
+}
+
+void FrictionWork::exchange_state(StateArchive &archive, const PeridynamicBody &body)
+{
+  PlaneArchive(archive, body.communicator(), body.lattice()).sums("friction work", work_);
+}
 } // namespace ricochet

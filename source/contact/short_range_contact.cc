@@ -49,11 +49,13 @@ ShortRangeContact::ShortRangeContact(const MPI_Comm communicator, const Bodies &
                                      const std::string &search, const Friction &friction) :
   communicator_(communicator),
   bodies_(bodies), factor_(factor), mirrored_(mirrored), friction_(friction),
-  pairs_(std::make_unique<ContactPairs>(communicator, bodies_, mirrored, search)),
-  work_(most_planes(bodies))
+  pairs_(std::make_unique<ContactPairs>(communicator, bodies_, mirrored, search))
 {
   for (const auto &body : bodies)
+  {
     stiffness_.push_back(pair_stiffness(*body, factor));
+    work_.emplace_back(body->lattice().box().n[0]);
+  }
 }
 
 ShortRangeContact::~ShortRangeContact() = default;
@@ -61,6 +63,24 @@ ShortRangeContact::~ShortRangeContact() = default;
 void ShortRangeContact::bodies_changed()
 {
   pairs_->bodies_changed();
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    work_[body].move_home(*bodies_[body]);
+}
+
+void ShortRangeContact::exchange_state(StateArchive &archive)
+{
+  // Which pairs there are follows from where the points are, and from their bonds.
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+  {
+    const StateArchive::Group group(archive, "debris of plate " + std::to_string(body + 1));
+    work_[body].exchange_state(archive, *bodies_[body]);
+  }
+}
+
+void ShortRangeContact::record_work(const double dt)
+{
+  for (auto &work : work_)
+    work.record(dt);
 }
 
 long ShortRangeContact::n_searches() const
@@ -91,7 +111,8 @@ void ShortRangeContact::add_forces(const double dt)
     return;
   pairs_->update(dt);
   energies_.clear();
-  work_.clear();
+  for (auto &work : work_)
+    work.clear();
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     add_broken_bond_forces(body, dt);
   add_non_bonded_forces(dt);
@@ -191,14 +212,17 @@ void ShortRangeContact::add_pair_forces(const ActiveContact &contact, const doub
       for (int d = 0; d < 3; ++d)
         a.force[d][end.flat] += sign * force[d];
       if (friction_.law)
-        work_.add(*bodies_[end.body], end.flat, sign * friction);
+        work_[end.body].add(*bodies_[end.body], end.flat, sign * friction);
     }
   energies_.push_back({contact.first, contact.second, pair_law.energy(depth)});
 }
 
 double ShortRangeContact::friction_work() const
 {
-  return friction_.law ? (mirrored_ ? 2. : 1.) * work_.total(communicator_) : 0.;
+  double sum = 0.;
+  for (const auto &work : work_)
+    sum += work.total(communicator_);
+  return (mirrored_ ? 2. : 1.) * sum;
 }
 
 double ShortRangeContact::energy() const

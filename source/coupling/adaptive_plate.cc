@@ -27,4 +27,10 @@ Energies AdaptivePlate::energies(const double dt) const
   energies.conversion = adaptive_zone_.loss();
   return energies;
 }
+
+void AdaptivePlate::exchange_state(StateArchive &archive)
+{
+  CoupledPlate::exchange_state(archive);
+  adaptive_zone_.exchange_state(archive);
+}
 } // namespace ricochet

@@ -128,4 +128,16 @@ bool AdaptiveZone::update(const double time, const double dt, const double furth
   find_interface_band();
   return true;
 }
+
+void AdaptiveZone::exchange_state(StateArchive &archive)
+{
+  const StateArchive::Group group(archive, "adaptive zone");
+  archive.common("looks", n_updates_);
+  archive.common("conversions", n_conversions_);
+  archive.common("redistributions", n_redistributions_);
+  archive.common("loss", loss_);
+  archive.common("reached", reached_);
+  if (archive.is_restoring())
+    find_interface_band();
+}
 } // namespace ricochet

@@ -52,6 +52,14 @@ void ClampedEdges::find_points()
       });
 }
 
+void ClampedEdges::bodies_changed()
+{
+  find_points();
+  const Lattice &lattice = points_.lattice();
+  impulse_of_points_.move_home(communicator_, lattice.first_plane(),
+                               lattice.first_plane() + lattice.n_planes());
+}
+
 void ClampedEdges::add_forces(const double dt)
 {
   auto &a = points_.state().arrays;
@@ -125,5 +133,14 @@ Momenta ClampedEdges::impulse() const
   impulse.linear += Vector3(sum[0], sum[1], sum[2]);
   impulse.angular += Vector3(sum[3], sum[4], sum[5]);
   return points_.multiplicity() * impulse;
+}
+
+void ClampedEdges::exchange_state(StateArchive &archive)
+{
+  const StateArchive::Group group(archive, "clamped edges");
+  PlaneArchive(archive, communicator_, points_.lattice())
+      .sums("impulse of points", impulse_of_points_);
+  archive.by_rank("impulse of nodes", impulse_of_nodes_.linear.data(), 3);
+  archive.by_rank("angular impulse of nodes", impulse_of_nodes_.angular.data(), 3);
 }
 } // namespace ricochet

@@ -17,10 +17,15 @@ bool CoupledPlate::rebalance()
   const double now       = lattice.imbalance(lattice.plane_starts());
   if (now < tolerable || lattice.imbalance(fair) > worth_it * now)
     return false;
-  points_->redistribute(fair);
+  share_planes(fair);
+  return true;
+}
+
+void CoupledPlate::share_planes(const std::vector<int> &plane_starts)
+{
+  points_->redistribute(plane_starts);
   find_slaved_nodes();
   interpolate_to_slaved_points();
-  return true;
 }
 
 std::vector<std::vector<double>> CoupledPlate::nodal_histories() const
@@ -40,13 +45,25 @@ std::vector<std::vector<double>> CoupledPlate::nodal_histories() const
                                  [](const int i) { return is_odd_in_mirror(i % voigt::n); }});
 }
 
+std::vector<std::uint8_t> CoupledPlate::layers() const
+{
+  std::vector<std::uint8_t> layers;
+  zone_->for_each_cell([&](const Zone::Cell &cell)
+                       { layers.push_back(static_cast<std::uint8_t>(zone_->layer(cell))); });
+  return layers;
+}
+
 bool CoupledPlate::convert(const std::vector<Zone::Cells> &cells)
 {
-  std::vector<std::uint8_t> before;
-  zone_->for_each_cell([&](const Zone::Cell &cell)
-                       { before.push_back(static_cast<std::uint8_t>(zone_->layer(cell))); });
+  const auto before = layers();
   if (!zone_->grow(cells))
     return false;
+  follow_zone(before);
+  return true;
+}
+
+void CoupledPlate::follow_zone(const std::vector<std::uint8_t> &before)
+{
   int first = zone_->n_cells()[0], last = 0;
   std::size_t i = 0;
   std::vector<bool> was_free(before.size());
@@ -92,6 +109,5 @@ bool CoupledPlate::convert(const std::vector<Zone::Cells> &cells)
                        { return !zone_->is_free(cell_at(points_->lattice(), centre)); });
   build_interface();
   interpolate_to_slaved_points();
-  return true;
 }
 } // namespace ricochet

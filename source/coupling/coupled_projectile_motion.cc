@@ -182,4 +182,11 @@ std::string CoupledProjectileBody::first_not_finite() const
       }
   return "";
 }
+
+void CoupledProjectileBody::exchange_state(StateArchive &archive)
+{
+  peridynamic_->exchange_state(archive);
+  if (elements_)
+    elements_->exchange_state(archive);
+}
 } // namespace ricochet

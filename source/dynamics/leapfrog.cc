@@ -17,9 +17,8 @@ void Leapfrog::compute_forces(const Body::Outlook &outlook, const bool energy)
   bool changed = false;
   for (auto *const body : bodies_)
     changed = body->adapt(outlook) || changed;
-  for (auto *const interaction : interactions_)
-    if (changed)
-      interaction->bodies_changed();
+  if (changed)
+    bodies_changed();
   for (auto *const body : bodies_)
   {
     body->break_bonds();
@@ -31,6 +30,12 @@ void Leapfrog::compute_forces(const Body::Outlook &outlook, const bool energy)
     interaction->add_forces(outlook.dt);
   for (auto *const body : bodies_)
     body->complete_forces();
+}
+
+void Leapfrog::bodies_changed()
+{
+  for (auto *const interaction : interactions_)
+    interaction->bodies_changed();
 }
 
 void Leapfrog::advance(const double dt)

@@ -78,4 +78,11 @@ void AbsorbingBoundary::add_energies(const Motion &motion, const std::vector<dou
     absorbed += 0.5 * dt * dashpot.coefficient * before * (before + 0.5 * change);
   }
 }
+
+void AbsorbingBoundary::exchange_state(StateArchive &archive)
+{
+  archive.by_rank("absorbed energy", &absorbed_, 1);
+  archive.by_rank("carried momentum", carried_linear_.data(), 3);
+  archive.by_rank("carried angular momentum", carried_angular_.data(), 3);
+}
 } // namespace ricochet

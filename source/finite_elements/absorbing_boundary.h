@@ -5,6 +5,7 @@
 // waves returns, 11 % of S waves. Constant loads push the body away: nothing holds it there.
 #pragma once
 
+#include "ricochet/base/state_archive.h"
 #include "ricochet/finite_elements/lumped_mass.h"
 #include "ricochet/materials/finite_element_material.h"
 
@@ -33,6 +34,9 @@ public:
   /// leapfrog scheme conserves it, and what they have taken until now [J].
   void add_energies(const Motion &motion, const std::vector<double> &mass, double dt,
                     double &kinetic, double &absorbed) const;
+
+  /// Saves or restores what has been carried off. Collective.
+  void exchange_state(StateArchive &archive);
 
   // At this rank's nodes.
   double absorbed() const { return absorbed_; }                       // up to the step before [J]

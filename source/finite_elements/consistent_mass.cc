@@ -166,4 +166,12 @@ void ConsistentMass::find_momentum(const std::vector<double> &velocity)
     for (int d = 0; d < 3; ++d)
       momentum_.push_back(lumped_.mass[node] * y[3 * node + d] + residual[3 * node + d]);
 }
+
+void ConsistentMass::exchange_state(StateArchive &archive)
+{
+  std::vector<std::int64_t> places;
+  for (const int node : nodes_)
+    places.push_back(mesh_.place_number(mesh_.reference_position(node)));
+  archive.rows("momentum", places, momentum_, 3);
+}
 } // namespace ricochet

@@ -8,6 +8,7 @@
 // the momentum that forces add up to; it is carried along with the velocity.
 #pragma once
 
+#include "ricochet/base/state_archive.h"
 #include "ricochet/finite_elements/lumped_mass.h"
 
 #include <mpi.h>
@@ -42,6 +43,9 @@ public:
   /// Adds (M_L - M_C) a of this rank's elements, three numbers per local node.
   void add_mass_difference(const std::vector<double> &acceleration,
                            std::vector<double> &force) const;
+
+  /// Saves or restores the momentum. Collective.
+  void exchange_state(StateArchive &archive);
 
   /// All eigenvalues of M_L^-1 (2 M_L - M_C) lie between these: an edge's consistent mass has
   /// eigenvalues between 0 and 1 times those of its lumped mass, hence so have a cube's, their

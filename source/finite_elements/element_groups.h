@@ -6,6 +6,7 @@
 
 #include "element_history.h"
 
+#include "ricochet/base/state_archive.h"
 #include "ricochet/finite_elements/element_stiffness.h"
 #include "ricochet/finite_elements/hex_mesh.h"
 #include "ricochet/materials/finite_element_material.h"
@@ -38,6 +39,9 @@ public:
   /// `energy`, also each element's energies. History moves on if it is a step.
   void add_forces(const std::vector<double> &position, std::vector<double> &force, bool energy,
                   bool is_step);
+
+  /// Saves or restores the histories. Collective.
+  void exchange_state(StateArchive &archive);
 
   bool is_active(const int element) const { return place_[element].group >= 0; }
   const std::vector<char> &active() const { return active_; }

@@ -197,15 +197,22 @@ HexMesh::HexMesh(const MPI_Comm communicator, const Box &box) : box_(box)
   n_global_nodes_   = static_cast<std::int64_t>(owned.size());
   n_owned_nodes_    = static_cast<int>(owned.n_elements());
   first_owned_node_ = n_owned_nodes_ > 0 ? static_cast<std::int64_t>(owned.nth_index_in_set(0)) : 0;
-  const double finest =
-      std::ldexp(box.edge, halvings - static_cast<int>(triangulation.n_global_levels()) + 1);
-  reference_ = reference_positions(numbers, box, finest);
+  finest_ = std::ldexp(box.edge, halvings - static_cast<int>(triangulation.n_global_levels()) + 1);
+  reference_ = reference_positions(numbers, box, finest_);
   elements_  = own_elements(numbers, box, halvings);
   hanging_   = hanging_nodes_of(numbers);
 
   exchange_ = std::make_unique<Exchange>();
   exchange_->partitioner.reinit(three_per_node(owned), three_per_node(ghosts), communicator);
   exchange_->packed.resize(exchange_->partitioner.n_import_indices());
+}
+
+std::int64_t HexMesh::place_number(const Vector3 &place) const
+{
+  std::int64_t number = 0;
+  for (int d = 0; d < 3; ++d) // 2^20 steps along an axis are more than any mesh has
+    number = (number << 21) + std::llround(2. * (place[d] - box_.corner[d]) / finest_);
+  return number;
 }
 
 void HexMesh::update_ghosts(double *values) const

@@ -195,4 +195,11 @@ std::vector<double> HexahedralBody::velocity_after(const double kick) const
     velocity[i] += kick * inverse_mass_[i] * force_[i];
   return velocity;
 }
+
+void HexahedralBody::exchange_state(StateArchive &archive)
+{
+  const StateArchive::Group group(archive, "hexahedra");
+  archive.common("position", position_);
+  archive.common("velocity", velocity_);
+}
 } // namespace ricochet

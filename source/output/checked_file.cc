@@ -87,6 +87,23 @@ void write_file(const std::filesystem::path &path, const std::string_view bytes)
   }
 }
 
+void give_name(const std::filesystem::path &temporary, const std::filesystem::path &path)
+{
+  int reason           = 0;
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0 || ::fsync(descriptor) != 0)
+    reason = errno;
+  if (descriptor >= 0)
+    ::close(descriptor);
+  if (reason == 0 && ::rename(temporary.c_str(), path.c_str()) != 0)
+    reason = errno;
+  if (reason != 0)
+  {
+    ::unlink(temporary.c_str());
+    fail("write", path, reason);
+  }
+}
+
 void make_directory(const std::filesystem::path &path)
 {
   std::error_code error;

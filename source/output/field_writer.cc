@@ -27,4 +27,12 @@ void FieldWriter::write(const double time, const PointFrame &points, const Surfa
     vtu_->write(n_frames_, time, points, surface, elements);
   ++n_frames_;
 }
+
+void FieldWriter::exchange_state(StateArchive &archive)
+{
+  const StateArchive::Group group(archive, "frames");
+  archive.common("number", n_frames_);
+  if (vtu_)
+    vtu_->exchange_state(archive);
+}
 } // namespace ricochet

@@ -1,67 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hdf5_file.h"
 
-#include "ricochet/base/exceptions.h"
+#include "hdf5_handle.h"
 #include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 
 #include <algorithm>
 #include <cassert>
-#include <hdf5.h>
 
 namespace ricochet
 {
 namespace
 {
-void check(const herr_t result, const std::string &what)
-{
-  if (result < 0)
-    throw FileError("HDF5 cannot " + what +
-                    ". Check the free memory; otherwise the HDF5 library is faulty.");
-}
-
-/// While it lives HDF5 does not print its own report of a failure: failures become exceptions here,
-/// and the report would only repeat them. Whoever else uses HDF5 in this process finds it as
-/// before.
-class SilencedReport
-{
-public:
-  SilencedReport()
-  {
-    H5Eget_auto2(H5E_DEFAULT, &report_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~SilencedReport() { H5Eset_auto2(H5E_DEFAULT, report_, data_); }
-  SilencedReport(const SilencedReport &)            = delete;
-  SilencedReport &operator=(const SilencedReport &) = delete;
-
-private:
-  H5E_auto2_t report_ = nullptr;
-  void *data_         = nullptr;
-};
-
-/// An HDF5 identifier and the function that gives it back.
-class Handle
-{
-public:
-  Handle(const hid_t id, herr_t (*close)(hid_t), const std::string &what) : id_(id), close_(close)
-  {
-    check(id < 0 ? -1 : 0, what);
-  }
-  ~Handle()
-  {
-    if (id_ >= 0)
-      close_(id_);
-  }
-  Handle(const Handle &)            = delete;
-  Handle &operator=(const Handle &) = delete;
-  operator hid_t() const { return id_; }
-
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
 hid_t type_of(const double *)
 {
   return H5T_NATIVE_DOUBLE;

@@ -16,33 +16,54 @@ History::History(const MPI_Comm comm, const std::filesystem::path &directory,
   comm_(comm),
   directory_(directory), columns_(std::move(columns)), values_(columns_.size())
 {
-  on_first_rank(comm_,
-                [&]
-                {
-                  std::string header;
-                  for (const Column &column : columns_)
-                    header += (header.empty() ? "" : ",") + column.name + " [" + column.unit + "]";
-                  file_ = std::make_unique<AppendedFile>(directory_ / "history.csv");
-                  file_->append(header + "\n");
-                });
+  on_first_rank(comm_, [&] { begin_file(); });
 }
 
 History::~History() = default;
 
+void History::begin_file()
+{
+  std::string header;
+  for (const Column &column : columns_)
+    header += (header.empty() ? "" : ",") + column.name + " [" + column.unit + "]";
+  file_ = std::make_unique<AppendedFile>(directory_ / "history.csv");
+  file_->append(header + "\n");
+}
+
+void History::append_line(const std::vector<double> &row)
+{
+  std::string line;
+  for (std::size_t i = 0; i < row.size(); ++i)
+    line += (i == 0 ? "" : ",") + with_digits(row[i], 10);
+  file_->append(line + "\n");
+}
+
 void History::append(const std::vector<double> &row)
 {
   assert(!closed_ && row.size() == columns_.size());
+  on_first_rank(comm_, [&] { append_line(row); });
+  for (std::size_t i = 0; i < row.size(); ++i)
+    values_[i].push_back(row[i]);
+}
+
+void History::exchange_state(StateArchive &archive)
+{
+  const StateArchive::Group group(archive, "history");
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    archive.common(columns_[i].name, values_[i]);
+  if (!archive.is_restoring())
+    return;
   on_first_rank(comm_,
                 [&]
                 {
-                  std::string line;
-                  for (std::size_t i = 0; i < row.size(); ++i)
+                  begin_file();
+                  std::vector<double> row(columns_.size());
+                  for (std::size_t record = 0; record < values_.front().size(); ++record)
                   {
-                    line += (i == 0 ? "" : ",") + with_digits(row[i], 10);
+                    for (std::size_t i = 0; i < row.size(); ++i)
+                      row[i] = values_[i].at(record);
+                    append_line(row);
                   }
-                  file_->append(line + "\n");
-                  for (std::size_t i = 0; i < row.size(); ++i)
-                    values_[i].push_back(row[i]);
                 });
 }
 

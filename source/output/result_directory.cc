@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 const char *const marker = ".ricochet";
 
-/// Every name a run may leave in its folder and in the two folders below; a new kind of result adds
+/// Every name a run may leave in its folder and in the folders below; a new kind of result adds
 /// its name here.
 bool is_result(const fs::path &folder, const std::string &name)
 {
@@ -27,13 +27,17 @@ bool is_result(const fs::path &folder, const std::string &name)
   static const std::regex vtu(
       "((points|elements)_[0-9]{4,}\\.(pvtu|[0-9]{3,}\\.vtu)|projectile_[0-9]{4,}\\.vtu)(\\.tmp)?");
   static const std::regex section("frame_[0-9]{4,}\\.h5(\\.tmp)?");
-  return std::regex_match(name, folder.empty() ? top : folder == "vtu" ? vtu : section);
+  static const std::regex checkpoint("step_[0-9]{9,}\\.h5(\\.tmp)?");
+  return std::regex_match(name, folder.empty()        ? top
+                                : folder == "vtu"     ? vtu
+                                : folder == "section" ? section
+                                                      : checkpoint);
 }
 
 std::vector<fs::path> results_in(const fs::path &path)
 {
   std::vector<fs::path> found;
-  for (const fs::path folder : {"", "vtu", "section"})
+  for (const fs::path folder : {"", "vtu", "section", "checkpoint"})
   {
     const fs::path place = path / folder;
     // A link may lead anywhere: only true folders are entered below the one that the user has
@@ -58,7 +62,7 @@ void remove_results(const fs::path &path)
                     "remove the file.");
   for (const fs::path &file : results)
     fs::remove(file);
-  for (const char *folder : {"vtu", "section"})
+  for (const char *folder : {"vtu", "section", "checkpoint"})
   {
     std::error_code not_empty; // then it holds files of the user and stays
     if (fs::is_directory(fs::symlink_status(path / folder)))

@@ -134,6 +134,12 @@ std::string frame_name(const std::string &part, const unsigned int number)
   return part + "_" + with_zeros(number, 4);
 }
 
+/// Relative to the results folder.
+std::string file_of(const std::string &part, const unsigned int number, const char *const ending)
+{
+  return "vtu/" + frame_name(part, number) + ending;
+}
+
 /// "points_0012.003.vtu"
 std::string piece_name(const std::string &part, const unsigned int number, const int rank)
 {
@@ -158,8 +164,8 @@ VtuWriter::VtuWriter(const MPI_Comm comm, const std::filesystem::path &directory
 
 /// One piece per rank and a record of all of them. Collective.
 template <class Frame>
-std::string VtuWriter::write_pieces(const std::string &name, const unsigned int number,
-                                    const double time, const Frame &frame) const
+void VtuWriter::write_pieces(const std::string &name, const unsigned int number, const double time,
+                             const Frame &frame) const
 {
   on_every_rank(comm_,
                 [&]
@@ -170,7 +176,6 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
                   write_file(directory_ / "vtu" / piece_name(name, number, rank_in(comm_)),
                              signed_text(piece.str()));
                 });
-  std::string record_name = "vtu/" + frame_name(name, number) + ".pvtu";
   on_first_rank(comm_,
                 [&]
                 {
@@ -182,26 +187,25 @@ std::string VtuWriter::write_pieces(const std::string &name, const unsigned int 
                   std::ostringstream record;
                   dealii::DataOutBase::write_pvtu_record(record, pieces, column_names(),
                                                          vector_fields(), vtk_flags(time));
-                  write_file(directory_ / record_name, signed_text(record.str()));
+                  write_file(directory_ / file_of(name, number, ".pvtu"),
+                             signed_text(record.str()));
                 });
-  return record_name;
 }
 
 void VtuWriter::write(const unsigned int number, const double time, const PointFrame &points,
                       const SurfaceFrame &surface, const ElementFrame &elements)
 {
-  Entry entry{time, write_pieces("points", number, time, points),
-              "vtu/" + frame_name("projectile", number) + ".vtu", ""};
+  write_pieces("points", number, time, points);
   int n_elements = static_cast<int>(elements.corners.size());
   MPI_Allreduce(MPI_IN_PLACE, &n_elements, 1, MPI_INT, MPI_SUM, comm_);
   if (n_elements > 0)
-    entry.elements = write_pieces("elements", number, time, elements);
+    write_pieces("elements", number, time, elements);
+  entries_.resize(number); // without the entry of an attempt that failed
+  entries_.push_back({time, n_elements});
   on_first_rank(comm_,
                 [&]
                 {
-                  write_projectile(entry.projectile, time, surface);
-                  entries_.resize(number); // without the entry of an attempt that failed
-                  entries_.push_back(entry);
+                  write_projectile(file_of("projectile", number, ".vtu"), time, surface);
                   write_index();
                 });
 }
@@ -220,16 +224,22 @@ void VtuWriter::write_index() const
   text.precision(12);
   text
       << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-  for (const Entry &entry : entries_)
+  for (unsigned int number = 0; number < entries_.size(); ++number)
   {
-    const std::pair<const char *, const std::string &> parts[]{
-        {"points", entry.points}, {"projectile", entry.projectile}, {"elements", entry.elements}};
-    for (unsigned int part = 0; part < 3; ++part)
-      if (!parts[part].second.empty())
-        text << "    <DataSet timestep=\"" << entry.time << "\" part=\"" << part << "\" name=\""
-             << parts[part].first << "\" file=\"" << parts[part].second << "\"/>\n";
+    const Entry &entry                                  = entries_[number];
+    const std::pair<const char *, const char *> parts[] = {
+        {"points", ".pvtu"}, {"projectile", ".vtu"}, {"elements", ".pvtu"}};
+    for (unsigned int part = 0; part < (entry.n_elements > 0 ? 3 : 2); ++part)
+      text << "    <DataSet timestep=\"" << entry.time << "\" part=\"" << part << "\" name=\""
+           << parts[part].first << "\" file=\""
+           << file_of(parts[part].first, number, parts[part].second) << "\"/>\n";
   }
   text << "  </Collection>\n</VTKFile>\n";
   write_file(directory_ / "results.pvd", signed_text(text.str()));
+}
+
+void VtuWriter::exchange_state(StateArchive &archive)
+{
+  archive.common("ParaView files", entries_);
 }
 } // namespace ricochet

@@ -2,6 +2,7 @@
 #include "ricochet/peridynamics/bond_damage.h"
 
 #include "plane_exchange.h"
+#include "ricochet/peridynamics/plane_archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,5 +184,10 @@ double BondDamage::count_sound(const MPI_Comm communicator) const
   double ends = 0.;
   lattice_.for_each_owned([&](const std::ptrdiff_t p) { ends += sound_family_[p]; });
   return half_of_all(ends, communicator);
+}
+
+void BondDamage::exchange_state(PlaneArchive &planes)
+{
+  planes.field("open", open_.data());
 }
 } // namespace ricochet

@@ -2,6 +2,7 @@
 #include "ricochet/peridynamics/bond_flow.h"
 
 #include "plane_exchange.h"
+#include "ricochet/peridynamics/plane_archive.h"
 #include "ricochet/peridynamics/plane_sums.h"
 
 #include <algorithm>
@@ -148,5 +149,14 @@ void BondFlow::redistribute(const PlaneExchange &planes, const std::ptrdiff_t si
     field->assign(size, 0.);
   marked_.assign(flowed_.size(), 0);
   point_at_fields(arrays);
+}
+
+void BondFlow::exchange_state(PlaneArchive &planes)
+{
+  plastic_.exchange_state(planes, "plastic extension");
+  planes.field("flowed", flowed_.data(), 1. / block_size);
+  planes.field("relaxing", relaxing_.data());
+  planes.field("mean", mean_.data());
+  planes.field("plastic dissipation", dissipated_.data());
 }
 } // namespace ricochet

@@ -2,6 +2,7 @@
 #include "ricochet/peridynamics/bond_history.h"
 
 #include "plane_exchange.h"
+#include "ricochet/peridynamics/plane_archive.h"
 
 namespace ricochet
 {
@@ -24,5 +25,14 @@ void BondHistory::redistribute(const PlaneExchange &planes)
     planes.move(single_, n_per_point);
   if (!double_.empty())
     planes.move(double_, n_per_point);
+}
+
+void BondHistory::exchange_state(PlaneArchive &planes, const std::string &name)
+{
+  const auto per_point = static_cast<double>(n_offsets_ * n_branches_);
+  if (single_.empty())
+    planes.field(name, double_.data(), per_point);
+  else
+    planes.field(name, single_.data(), per_point);
 }
 } // namespace ricochet

@@ -2,6 +2,7 @@
 #include "ricochet/peridynamics/bond_viscosity.h"
 
 #include "plane_exchange.h"
+#include "ricochet/peridynamics/plane_archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -210,18 +211,43 @@ void BondViscosity::sum_theta(const LatticeArrays &a)
         });
 }
 
-void BondViscosity::redistribute(const PlaneExchange &planes, const std::ptrdiff_t size)
+void BondViscosity::find_losers()
+{
+  losers_.clear();
+  for (std::size_t p = 0; p < lost_theta_.size(); ++p)
+    if (lost_theta_[p] != 0.)
+      losers_.push_back(static_cast<std::ptrdiff_t>(p));
+}
+
+void BondViscosity::redistribute(const PlaneExchange &planes, const Lattice &share,
+                                 const MPI_Comm communicator)
 {
   history_.redistribute(planes);
   for (auto &field : theta_history_)
     planes.move(field);
   planes.move(lost_theta_);
-  losers_.clear();
-  for (std::ptrdiff_t p = 0; p < size; ++p)
-    if (lost_theta_[p] != 0.)
-      losers_.push_back(p);
+  find_losers();
   for (auto *field : {&volumetric_, &dissipated_at_})
-    field->assign(size, 0.);
+    field->assign(share.size(), 0.);
+  for (auto *sums : {&dissipated_, &in_one_step_})
+    sums->move_home(communicator, share.first_plane(), share.first_plane() + share.n_planes());
+}
+
+void BondViscosity::exchange_state(PlaneArchive &planes)
+{
+  history_.exchange_state(planes, "bond histories");
+  for (std::size_t k = 0; k < theta_history_.size(); ++k)
+    planes.field("dilatation history " + std::to_string(k), theta_history_[k].data());
+  planes.field("lost dilatation", lost_theta_.data());
+  planes.sums("viscous dissipation", dissipated_);
+  planes.sums("viscous dissipation in one step", in_one_step_);
+  planes.archive().common("is first step", first_step_);
+  planes.archive().common("steps since measured", steps_since_measured_);
+  if (planes.archive().is_restoring())
+  {
+    begun_ = false; // whatever building the body has begun
+    find_losers();
+  }
 }
 
 double BondViscosity::bytes_per_point() const

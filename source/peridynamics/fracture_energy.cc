@@ -127,4 +127,10 @@ FractureEnergy::Total FractureEnergy::total(const MPI_Comm communicator) const
   const auto sum = sums_.total(communicator);
   return {sum[0], sum[1] / 2.};
 }
+
+void FractureEnergy::redistribute(const MPI_Comm communicator)
+{
+  const Lattice &lattice = body_.lattice();
+  sums_.move_home(communicator, lattice.first_plane(), lattice.first_plane() + lattice.n_planes());
+}
 } // namespace ricochet

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "ricochet/peridynamics/peridynamic_body.h"
-#include "ricochet/peridynamics/plane_sums.h"
+#include "ricochet/peridynamics/plane_archive.h"
 
 #include <array>
 #include <vector>
@@ -34,6 +34,11 @@ public:
   };
   /// Up to the last record().
   Total total(MPI_Comm communicator) const;
+
+  /// The body's planes have moved to other ranks. Collective.
+  void redistribute(MPI_Comm communicator);
+  /// Saves or restores what has been released. Collective.
+  void exchange_state(PlaneArchive &planes) { planes.sums("fracture energy, bond ends", sums_); }
 
 private:
   /// What a broken bond held of an owned point's theta.

@@ -2,6 +2,7 @@
 #include "ricochet/peridynamics/lattice_state.h"
 
 #include "plane_exchange.h"
+#include "ricochet/peridynamics/plane_archive.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -146,6 +147,28 @@ void LatticeState::take_over(const LatticeState &before, const PlaneExchange &pl
   move_bonds(from.bonds, arrays.bonds);
   if (from.cracked != nullptr)
     move_bonds(from.cracked, arrays.cracked);
+}
+
+void LatticeState::exchange_state(PlaneArchive &planes, const Lattice &lattice)
+{
+  static const char *const axis[] = {" x", " y", " z"};
+  for (int d = 0; d < 3; ++d)
+  {
+    planes.field(std::string("position") + axis[d], arrays.position[d]);
+    planes.field(std::string("velocity") + axis[d], arrays.velocity[d]);
+  }
+  planes.field("dilatation before", arrays.theta_before);
+  const auto existing      = lattice.intact_bonds(); // as in take_over()
+  const auto exchange_bits = [&](const std::string &name, std::vector<std::uint8_t> &bits)
+  {
+    planes.field(name, bits.data(),
+                 static_cast<double>(lattice.stencil().offsets.size()) / Lattice::block_size);
+    for (std::size_t i = 0; i < existing.size(); ++i)
+      bits[i] &= existing[i];
+  };
+  exchange_bits("bonds", bonds_);
+  if (arrays.cracked != nullptr)
+    exchange_bits("closed cracks", cracked_);
 }
 
 void LatticeState::zero(const Lattice &lattice, double *field) const

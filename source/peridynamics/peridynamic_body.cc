@@ -2,9 +2,9 @@
 #include "ricochet/peridynamics/peridynamic_body.h"
 
 #include "fracture_energy.h"
-#include "plane_exchange.h"
 #include "point_sums.h"
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
 #include "stretched_points.h"
 
 #include <string>
@@ -14,20 +14,6 @@ namespace ricochet
 {
 namespace
 {
-int rank_of(const MPI_Comm communicator)
-{
-  int rank;
-  MPI_Comm_rank(communicator, &rank);
-  return rank;
-}
-
-int size_of(const MPI_Comm communicator)
-{
-  int size;
-  MPI_Comm_size(communicator, &size);
-  return size;
-}
-
 const LatticeKernel *kernel_for(const BondLaw &law, const char *instruction_set)
 {
   const LatticeKernel *const kernel = lattice_kernel(law.index, instruction_set);
@@ -43,7 +29,7 @@ PeridynamicBody::PeridynamicBody(const MPI_Comm communicator, const int number,
                                  const PeridynamicMaterial &material, const Lattice::Mask &mask,
                                  const char *instruction_set, const Zone *zone) :
   communicator_(communicator),
-  number_(number), lattice_(box, stencil, rank_of(communicator), size_of(communicator), mask, zone),
+  number_(number), lattice_(box, stencil, rank_in(communicator), size_of(communicator), mask, zone),
   state_(lattice_, material.cracks_push), material_(material),
   halo_(communicator, lattice_, number), kernel_(kernel_for(*material.law, instruction_set)),
   tables_(lattice_, material), mass_(material.density * tables_.family().volume),
@@ -71,56 +57,6 @@ void PeridynamicBody::scale_energy(const std::vector<double> &factor)
 {
   state_.scale_weights(lattice_, factor);
   find_blocks();
-}
-
-void PeridynamicBody::follow_zone(const int first, const int last)
-{
-  lattice_.follow_zone(first, last);
-  state_.follow_zone(lattice_, first, last);
-  auto appeared = damage_.follow_zone(first, last, state_);
-  if (history_)
-    new_bonds_ = std::move(appeared);
-  find_blocks();
-}
-
-void PeridynamicBody::redistribute(const std::vector<int> &plane_starts)
-{
-  Lattice lattice(lattice_, plane_starts, rank_of(communicator_));
-  LatticeState state(lattice, material_.cracks_push);
-  const std::size_t n_bytes = lattice.size() / Lattice::block_size * tables_.breakable().n;
-  std::vector<std::uint8_t> sound(state.arrays.bonds, state.arrays.bonds + n_bytes);
-  const PlaneExchange planes(communicator_, lattice_, lattice);
-  state.take_over(state_, planes, lattice);
-  damage_.redistribute(planes, lattice, std::move(sound), *kernel_);
-  if (history_)
-    history_->redistribute(planes, lattice.size());
-  if (flow_)
-    flow_->redistribute(planes, lattice.size(), state.arrays);
-
-  lattice_ = std::move(lattice);
-  state_   = std::move(state);
-  halo_    = Halo(communicator_, lattice_, number_);
-  find_blocks();
-}
-
-void PeridynamicBody::continue_history(TensorFields &histories)
-{
-  for (auto &tensor : histories)
-    for (int i = 0; i < 6; ++i)
-    {
-      halo_.exchange({tensor[i].data()});
-      state_.mirror_component(lattice_, tensor[i].data(), i);
-    }
-  history_->take_over(state_.arrays, new_bonds_,
-                      [&](const std::ptrdiff_t p, const int k)
-                      {
-                        const auto &t = histories[k];
-                        Eigen::Matrix3d G;
-                        G << t[0][p], t[5][p], t[4][p], t[5][p], t[1][p], t[3][p], t[4][p], t[3][p],
-                            t[2][p];
-                        return G;
-                      });
-  new_bonds_.clear();
 }
 
 std::vector<std::ptrdiff_t>

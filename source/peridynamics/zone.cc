@@ -193,4 +193,16 @@ std::int64_t Zone::n_slaved_cells() const
   return std::count_if(layers_.begin(), layers_.end(),
                        [&](const std::uint8_t layer) { return layer > 0 && layer < far(); });
 }
+
+std::vector<Zone::Cells> Zone::free_cells() const
+{
+  std::vector<Cells> cells;
+  for_each_cell(
+      [&](const Cell &cell)
+      {
+        if (is_free(cell))
+          cells.push_back({cell, {cell[0] + 1, cell[1] + 1, cell[2] + 1}});
+      });
+  return cells;
+}
 } // namespace ricochet

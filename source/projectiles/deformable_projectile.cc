@@ -192,4 +192,32 @@ SurfaceFrame DeformableProjectile::surface() const
   }
   return frame;
 }
+
+void DeformableProjectile::exchange_state(StateArchive &archive)
+{
+  deformed().exchange_state(archive);
+  exchange_pitch(archive);
+  archive.common("friction work", work_);
+  if (!archive.is_restoring())
+    return;
+  update_surface();
+  motion_ = nearest_motion(/*kick=*/0.);
+  surface_.update(nodes().position, reach_);
+}
+
+void DeformableProjectile::plates_changed(const std::vector<PeridynamicBody *> &plates)
+{
+  for (std::size_t i = 0; i < plates.size(); ++i)
+    contacts_[i].plate_changed(*plates[i]);
+}
+
+void DeformableProjectile::exchange_contact_state(StateArchive &archive,
+                                                  const std::vector<PeridynamicBody *> &plates)
+{
+  for (std::size_t i = 0; i < plates.size(); ++i)
+  {
+    const StateArchive::Group group(archive, "projectile on plate " + std::to_string(i + 1));
+    contacts_[i].exchange_state(archive, *plates[i]);
+  }
+}
 } // namespace ricochet

@@ -131,4 +131,30 @@ SurfaceFrame RigidProjectile::surface() const
     frame.outline.push_back(place((*point)[0], (*point)[1], M_PI));
   return frame;
 }
+
+void RigidProjectile::exchange_state(StateArchive &archive)
+{
+  rigid_.exchange_state(archive);
+  exchange_pitch(archive);
+  archive.common("friction work", work_);
+  archive.common("drive work", drive_work_);
+  archive.common("drive impulse", drive_impulse_.linear);
+  archive.common("angular drive impulse", drive_impulse_.angular);
+}
+
+void RigidProjectile::plates_changed(const std::vector<PeridynamicBody *> &plates)
+{
+  for (std::size_t i = 0; i < plates.size(); ++i)
+    contacts_[i].plate_changed(*plates[i]);
+}
+
+void RigidProjectile::exchange_contact_state(StateArchive &archive,
+                                             const std::vector<PeridynamicBody *> &plates)
+{
+  for (std::size_t i = 0; i < plates.size(); ++i)
+  {
+    const StateArchive::Group group(archive, "projectile on plate " + std::to_string(i + 1));
+    contacts_[i].exchange_state(archive, *plates[i]);
+  }
+}
 } // namespace ricochet

@@ -19,6 +19,10 @@ public:
   Motion present_motion(double dt) const override;
   std::vector<ContactRecord> add_contact_forces(const std::vector<PeridynamicBody *> &plates,
                                                 double dt) override;
+  void plates_changed(const std::vector<PeridynamicBody *> &plates) override;
+  void exchange_state(StateArchive &archive) override;
+  void exchange_contact_state(StateArchive &archive,
+                              const std::vector<PeridynamicBody *> &plates) override;
   void record_work(double dt) override;
   double friction_work() const override;
 

@@ -16,6 +16,14 @@ Section output_section(OutputParameters &output, const std::string &stem)
   in.with_default("History interval",
                   quantity(output.history_interval, Dimension::time, Limit::positive), "2 us",
                   "Time between two rows of the history");
+  in.with_default("Checkpoint interval",
+                  quantity(output.checkpoint_interval, Dimension::time, Limit::not_negative),
+                  "0 us",
+                  "Simulated time between two checkpoints, from which --resume goes on; 0 us for "
+                  "none");
+  in.with_default("Checkpoint wall-clock interval",
+                  quantity(output.checkpoint_wall_interval, Dimension::time, Limit::not_negative),
+                  "10 min", "The same on the clock on the wall; 0 s for none");
   in.with_default("ParaView files", flag(output.vtu), "true",
                   "Whether the frames are written for ParaView");
   in.with_default("Pictures", flag(output.pictures), "true",

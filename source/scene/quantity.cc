@@ -31,6 +31,8 @@ constexpr Unit units[] = {
     {Dimension::time, "us", 1e-6},
     {Dimension::time, "ms", 1e-3},
     {Dimension::time, "s", 1.},
+    {Dimension::time, "min", 60.},
+    {Dimension::time, "h", 3600.},
     {Dimension::mass, "mg", 1e-6},
     {Dimension::mass, "g", 1e-3},
     {Dimension::mass, "kg", 1.},

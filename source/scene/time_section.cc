@@ -15,6 +15,9 @@ Section time_section(TimeParameters &time)
                   "Whether the run ends as soon as the outcome is decided");
   in.with_default("Free time", quantity(time.free_time, Dimension::time, Limit::positive), "5 us",
                   "The outcome is decided when the projectile was free of contact this long");
+  in.with_default("Wall-clock limit",
+                  quantity(time.wall_limit, Dimension::time, Limit::not_negative), "0 s",
+                  "The run stops in order after so long, with a checkpoint; 0 s for no limit");
 
   in.check(
       [&time, &safety]

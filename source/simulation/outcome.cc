@@ -195,4 +195,18 @@ OutcomeVerdict OutcomeWatch::verdict(const std::string &other_reason) const
   return {outcome, face, plate_left_behind(face),
           decided_ ? "the projectile has left through " + way_out(face) + free : when};
 }
+
+void OutcomeWatch::exchange_state(StateArchive &archive)
+{
+  const StateArchive::Group group(archive, "outcome");
+  archive.common("last position", now_.position);
+  archive.common("has touched", has_touched_);
+  archive.common("greatest depth", max_depth_);
+  archive.common("path", path_);
+  archive.common("first contact", first_contact_);
+  archive.common("last contact", last_contact_);
+  archive.common("last motion", last_motion_);
+  archive.common("height", height_);
+  archive.common("updates", n_updates_);
+}
 } // namespace ricochet

@@ -247,4 +247,29 @@ double Simulation::n_bonds() const
     n += plate->multiplicity() * plate->count_bonds();
   return n;
 }
+
+void Simulation::exchange_state(StateArchive &archive)
+{
+  archive.common("time", time_);
+  archive.common("time step", dt_);
+  archive.common("step", step_);
+  for (std::size_t i = 0; i < plates_.size(); ++i)
+  {
+    const StateArchive::Group group(archive, "plate " + std::to_string(i + 1));
+    plates_[i].body->exchange_state(archive);
+  }
+  {
+    const StateArchive::Group group(archive, "projectile");
+    projectile_->exchange_state(archive);
+  }
+  projectile_contact_->exchange_state(archive);
+  short_range_contact_->exchange_state(archive);
+  for (std::size_t i = 0; i < supports_.size(); ++i)
+  {
+    const StateArchive::Group group(archive, "support " + std::to_string(i + 1));
+    supports_[i]->exchange_state(archive);
+  }
+  if (archive.is_restoring())
+    integrator_->bodies_changed();
+}
 } // namespace ricochet

@@ -41,6 +41,7 @@ public:
   Energies energies(double) const override { return {}; }
   Momenta momenta() const override { return {}; }
   std::unique_ptr<Vibration> vibration() override { return nullptr; }
+  void exchange_state(StateArchive &) override {}
   std::string first_not_finite() const override { return ""; }
 
 private:
@@ -64,6 +65,7 @@ public:
   {
     log_.push_back("contact: work " + std::to_string(dt));
   }
+  void exchange_state(StateArchive &) override {}
   double energy() const override { return 0.; }
   double friction_work() const override { return 0.; }
 

@@ -6,6 +6,7 @@
 // here is of that half, see multiplicity().
 #pragma once
 
+#include "ricochet/base/state_archive.h"
 #include "ricochet/base/vector.h"
 #include "ricochet/bodies/energies.h"
 #include "ricochet/bodies/vibration.h"
@@ -90,6 +91,11 @@ public:
 
   /// For frequency_bound() (dynamics/largest_frequency.h); null if the body is rigid.
   virtual std::unique_ptr<Vibration> vibration() = 0;
+
+  /// Saves or restores all that moves, between steps: after advance() and before the next
+  /// update_ghosts(). A body to be restored has been built from the same scene and has made no
+  /// step.
+  virtual void exchange_state(StateArchive &archive) = 0;
 
   /// "The velocity of point (1, 2, 3)" if that is not a finite number, the first such of this rank;
   /// empty if all are. Not collective.

@@ -3,6 +3,8 @@
 // energies are those of the full model, also with a mirror plane.
 #pragma once
 
+#include "ricochet/base/state_archive.h"
+
 namespace ricochet
 {
 class Interaction
@@ -17,6 +19,10 @@ public:
   virtual void add_forces(double dt)  = 0;
   /// Books the work of friction in a step, `dt` long [s]: call after the bodies' kick.
   virtual void record_work(double dt) = 0;
+
+  /// As Body::exchange_state(), once the bodies have done it. When restoring, bodies_changed()
+  /// follows.
+  virtual void exchange_state(StateArchive &archive) = 0;
 
   /// Stored in contact springs at the last add_forces() [J]. Collective.
   virtual double energy() const        = 0;

@@ -4,6 +4,7 @@
 // plane y = 0 it keeps to that plane.
 #pragma once
 
+#include "ricochet/base/state_archive.h"
 #include "ricochet/geometry/body_of_revolution.h"
 
 #include <Eigen/Geometry>
@@ -43,6 +44,9 @@ public:
   /// L with L L^T = the change of velocity and spin by an impulse and its moment about the centroid
   /// [kg^-1/2, kg^-1/2 m^-1]; without what a planar motion may not do; zero if driven.
   Matrix6 root_of_mobility() const;
+
+  /// Saves or restores the motion.
+  void exchange_state(StateArchive &archive);
 
   const BodyOfRevolution &body() const { return body_; }                  // its shape
   const Motion &motion() const { return motion_; }                        // at present

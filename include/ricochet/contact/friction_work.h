@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The ledger of friction: what it works on points, the same on any number of ranks.
+// The ledger of friction: what it works on the points of one body, the same on any number of ranks.
 #pragma once
 
 #include "ricochet/base/vector.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
-#include "ricochet/peridynamics/plane_sums.h"
+#include "ricochet/peridynamics/plane_archive.h"
 
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace ricochet
 class FrictionWork
 {
 public:
-  /// `n_planes`: of the largest body.
+  /// `n_planes`: of the body.
   explicit FrictionWork(const int n_planes) : work_(n_planes) {}
 
   /// Forgets the forces, not the work.
@@ -25,6 +25,11 @@ public:
   void record(double dt);
   /// Of all steps so far [J]. Collective.
   double total(const MPI_Comm communicator) const { return work_.total(communicator)[0]; }
+
+  /// The body's planes may have moved to other ranks. Collective.
+  void move_home(const PeridynamicBody &body);
+  /// Saves or restores the work. Collective.
+  void exchange_state(StateArchive &archive, const PeridynamicBody &body);
 
 private:
   struct Force

@@ -70,6 +70,13 @@ public:
   /// Adds the friction work the points received in this step to the ledger: call after their kick,
   /// which is `dt` long [s].
   void record_work(const double dt) { work_.record(dt); }
+  /// As Interaction::bodies_changed(), of the plate it has to do with.
+  void plate_changed(const PeridynamicBody &plate) { work_.move_home(plate); }
+  /// As Interaction::exchange_state(), likewise.
+  void exchange_state(StateArchive &archive, const PeridynamicBody &plate)
+  {
+    work_.exchange_state(archive, plate);
+  }
   /// Work of friction and shank forces on the points so far, both halves [J]. Collective.
   double work_on_points() const { return multiplicity_ * work_.total(communicator_); }
 

@@ -52,7 +52,7 @@ public:
 
   /// Adds the work of friction in this step to the ledger: call after the bodies' kick, which is
   /// `dt` long [s].
-  void record_work(const double dt) override { work_.record(dt); }
+  void record_work(double dt) override;
 
   /// Energy stored in the repulsion, both halves [J]. Collective.
   double energy() const override;
@@ -64,6 +64,7 @@ public:
   /// Points have appeared in a body, or changed their flat index or rank, since the last
   /// add_forces(); the same on all ranks.
   void bodies_changed() override;
+  void exchange_state(StateArchive &archive) override;
   /// How often all pairs have been searched, and how many points have been searched alone.
   long n_searches() const;
   long n_single_searches() const; // so far, on this rank
@@ -107,6 +108,6 @@ private:
   std::unique_ptr<ContactPairs> pairs_;
   std::vector<std::int32_t> touching_; // workspace
   std::vector<StoredEnergy> energies_; // of the pairs that touch
-  FrictionWork work_;
+  std::vector<FrictionWork> work_;     // per body
 };
 } // namespace ricochet

@@ -17,6 +17,7 @@ public:
 
   bool adapt(const Outlook &outlook) override;
   Energies energies(double dt) const override;
+  void exchange_state(StateArchive &archive) override;
 
   const AdaptiveZone &adaptive_zone() const { return adaptive_zone_; } // what became of the zone
 

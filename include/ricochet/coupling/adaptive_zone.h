@@ -31,6 +31,9 @@ public:
   /// `furthest` along x nothing grows yet [m]. Returns whether elements became points. Collective.
   bool update(double time, double dt, double furthest = std::numeric_limits<double>::infinity());
 
+  /// Saves or restores what has become of the zone, once the plate has got it back. Collective.
+  void exchange_state(StateArchive &archive);
+
   long n_conversions() const { return n_conversions_; }         // how often elements became points
   long n_redistributions() const { return n_redistributions_; } // of points over the ranks
   /// Energy lost in conversions so far, of the plate as computed [J]: lumped masses hold more

@@ -50,6 +50,10 @@ public:
   /// The tensors of this rank's elements in the pad and halo of the zone as it is now. Collective.
   std::vector<ElementStiffness> find();
 
+  /// Saves or restores what has been found, for the zone as it is now: the next find() takes it.
+  /// Collective.
+  void exchange_state(StateArchive &archive);
+
   const CalibrationReport &report() const { return report_; } // of the last find()
 
 private:

@@ -8,6 +8,7 @@
 #include "ricochet/coupling/clamped_sides.h"
 #include "ricochet/finite_elements/finite_element_body.h"
 #include "ricochet/peridynamics/peridynamic_body.h"
+#include "ricochet/peridynamics/plane_archive.h"
 
 #include <vector>
 
@@ -22,10 +23,11 @@ public:
   ClampedEdges(MPI_Comm communicator, PeridynamicBody &points, FiniteElementBody *elements,
                ClampedSides sides, double width);
 
-  void bodies_changed() override { find_points(); }
+  void bodies_changed() override;
   void add_forces(double dt) override;
   /// Also adds to the impulse.
   void record_work(double dt) override;
+  void exchange_state(StateArchive &archive) override;
   double energy() const override { return 0.; }
   double friction_work() const override { return 0.; } // what rests does no work
 

@@ -58,6 +58,8 @@ public:
   Energies energies(double dt) const override;
   Momenta momenta() const override;
   std::unique_ptr<Vibration> vibration() override;
+  /// The zone too, if it has grown since, with the tensors that have been found.
+  void exchange_state(StateArchive &archive) override;
   std::string first_not_finite() const override;
 
   /// The cells become part of the zone, with the present motion of the elements there; the
@@ -87,6 +89,11 @@ public:
   MPI_Comm communicator() const { return communicator_; }         // of all ranks that have a share
 
 private:
+  void exchange_zone(StateArchive &archive);
+  std::vector<std::uint8_t> layers() const; // of all cells of the zone
+  /// After the zone has grown from these layers.
+  void follow_zone(const std::vector<std::uint8_t> &before);
+  void share_planes(const std::vector<int> &plane_starts);
   void build_interface();
   void correct_mass_of_pad();
   void find_bond_shares();

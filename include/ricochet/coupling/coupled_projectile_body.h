@@ -91,6 +91,7 @@ public:
   Energies energies(double dt) const override;
   Momenta momenta() const override;
   std::unique_ptr<Vibration> vibration() override;
+  void exchange_state(StateArchive &archive) override;
   std::string first_not_finite() const override;
 
   const std::vector<MassPoint> &mass_points() const { return mass_points_; } // points, then nodes

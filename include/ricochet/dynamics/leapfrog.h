@@ -34,6 +34,9 @@ public:
   /// From there to x_n+1; `dt` in s. Collective.
   void advance(double dt);
 
+  /// All interactions hear of it.
+  void bodies_changed();
+
 private:
   std::vector<Body *> bodies_;
   std::vector<Interaction *> interactions_;

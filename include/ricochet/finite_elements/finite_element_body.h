@@ -115,6 +115,8 @@ public:
   Momenta momenta() const override;
 
   std::unique_ptr<Vibration> vibration() override;
+  /// Which elements are active, and their tensors, must be as they were.
+  void exchange_state(StateArchive &archive) override;
   std::string first_not_finite() const override;
   /// Lumped mass of all nodes [kg]. Collective.
   double total_mass() const;

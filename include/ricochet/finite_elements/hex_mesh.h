@@ -90,6 +90,9 @@ public:
   {
     return reference_position(element.nodes[0]) + Vector3::Constant(0.5 * element.edge);
   }
+  /// A number for a place of the reference configuration where a node or the centre of a cube may
+  /// be, the same on any number of ranks.
+  std::int64_t place_number(const Vector3 &place) const;
   const HangingNodes &hanging_nodes() const { return hanging_; } // of this rank's elements
   /// Whether a node lies on the symmetry plane, where u_y = 0.
   bool on_mirror_plane(const int node) const
@@ -110,6 +113,7 @@ private:
   struct Exchange;
 
   Box box_;
+  double finest_               = 0.; // edge of the smallest cubes of all ranks [m]
   int n_owned_nodes_           = 0;
   std::int64_t n_global_nodes_ = 0, n_global_elements_ = 0, first_owned_node_ = 0;
   std::vector<double> reference_;

@@ -45,6 +45,7 @@ public:
   Energies energies(double dt) const override;
   Momenta momenta() const override;
   std::unique_ptr<Vibration> vibration() override;
+  void exchange_state(StateArchive &archive) override;
   std::string first_not_finite() const override;
   double mass() const { return total_mass_; } // as computed [kg]
 

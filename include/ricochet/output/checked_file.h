@@ -14,6 +14,10 @@ namespace ricochet
 /// Throws FileError.
 void write_file(const std::filesystem::path &path, std::string_view bytes);
 
+/// Gives a file that somebody else has written its name, once its content has reached the disk; an
+/// older file of that name is replaced. Throws FileError, and removes the file then.
+void give_name(const std::filesystem::path &temporary, const std::filesystem::path &path);
+
 /// Creates a folder if it does not exist yet. Throws FileError.
 void make_directory(const std::filesystem::path &path);
 

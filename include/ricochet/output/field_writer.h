@@ -24,6 +24,9 @@ public:
   void write(double time, const PointFrame &points, const SurfaceFrame &surface,
              const ElementFrame &elements = {});
 
+  /// Saves or restores which frames there are.
+  void exchange_state(StateArchive &archive);
+
   unsigned int n_frames() const { return n_frames_; } // written so far
 
 private:

@@ -3,9 +3,10 @@
 // whatever happens to the run, and at the end history.h5 with the same numbers in full precision.
 #pragma once
 
+#include "ricochet/base/state_archive.h"
+
 #include <filesystem>
 #include <memory>
-#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -32,15 +33,22 @@ public:
   /// The line is handed to the system at once. Throws FileError; the earlier lines stay.
   void append(const std::vector<double> &row);
 
+  /// Saves or restores all records; history.csv is written anew then.
+  void exchange_state(StateArchive &archive);
+
   /// Closes the text file and writes DIRECTORY/history.h5: a dataset per column with the attribute
   /// "unit". A second call does nothing. Throws FileError; history.csv stays.
   void close();
 
 private:
+  // Of rank 0.
+  void begin_file();
+  void append_line(const std::vector<double> &row);
+
   MPI_Comm comm_;
   std::filesystem::path directory_;
   std::vector<Column> columns_;
-  std::vector<std::vector<double>> values_; // one vector per column, rank 0 only
+  std::vector<std::vector<double>> values_; // one vector per column
   std::unique_ptr<AppendedFile> file_;      // rank 0 only
   bool closed_ = false;
 };

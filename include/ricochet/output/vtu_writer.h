@@ -4,6 +4,7 @@
 // all bodies as one time series.
 #pragma once
 
+#include "ricochet/base/state_archive.h"
 #include "ricochet/output/frame.h"
 
 #include <filesystem>
@@ -24,18 +25,20 @@ public:
   void write(unsigned int number, double time, const PointFrame &points,
              const SurfaceFrame &surface, const ElementFrame &elements = {});
 
+  /// Saves or restores which frames there are.
+  void exchange_state(StateArchive &archive);
+
 private:
   template <class Frame>
-  std::string write_pieces(const std::string &name, unsigned int number, double time,
-                           const Frame &frame) const;
+  void write_pieces(const std::string &name, unsigned int number, double time,
+                    const Frame &frame) const;
   void write_projectile(const std::string &file, double time, const SurfaceFrame &surface) const;
   void write_index() const;
 
   struct Entry
   {
-    double time;                    // [s]
-    std::string points, projectile; // file names relative to the results folder
-    std::string elements;           // likewise; "" if there are none
+    double time; // [s]
+    std::int64_t n_elements;
   };
 
   MPI_Comm comm_;

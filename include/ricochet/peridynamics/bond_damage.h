@@ -16,6 +16,7 @@
 
 namespace ricochet
 {
+class PlaneArchive;
 class PlaneExchange;
 
 class BondDamage
@@ -44,6 +45,9 @@ public:
   /// `sound` are the bonds that there would be without damage. Empties the log.
   void redistribute(const PlaneExchange &planes, const Lattice &share,
                     std::vector<std::uint8_t> sound, const LatticeKernel &kernel);
+
+  /// Saves or restores which points are damaged; the bonds are the state's. Collective.
+  void exchange_state(PlaneArchive &planes);
 
   /// Of all blocks.
   const std::vector<std::uint8_t> &sound_bonds() const { return sound_; }

@@ -31,6 +31,7 @@
 
 namespace ricochet
 {
+class PlaneArchive;
 class PlaneExchange;
 
 class BondFlow
@@ -58,6 +59,9 @@ public:
   /// The lattice's planes are moving to other ranks: takes over what belongs to them. `arrays`: of
   /// the new share.
   void redistribute(const PlaneExchange &planes, std::ptrdiff_t size, LatticeArrays &arrays);
+
+  /// Saves or restores what has flowed. Collective.
+  void exchange_state(PlaneArchive &planes);
 
 private:
   void point_at_fields(LatticeArrays &arrays);

@@ -6,10 +6,12 @@
 #include "ricochet/materials/relaxation.h"
 #include "ricochet/peridynamics/lattice.h"
 
+#include <string>
 #include <vector>
 
 namespace ricochet
 {
+class PlaneArchive;
 class PlaneExchange;
 
 class BondHistory
@@ -48,6 +50,9 @@ public:
 
   /// The lattice's planes are moving to other ranks: takes over what belongs to them. Collective.
   void redistribute(const PlaneExchange &planes);
+
+  /// Saves or restores all of it. Collective.
+  void exchange_state(PlaneArchive &planes, const std::string &name);
 
 private:
   std::size_t entry(const std::ptrdiff_t point, const std::size_t offset,

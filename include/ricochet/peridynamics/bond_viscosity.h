@@ -28,6 +28,7 @@
 
 namespace ricochet
 {
+class PlaneArchive;
 class PlaneExchange;
 
 class BondViscosity
@@ -99,9 +100,12 @@ public:
   void take_over(const LatticeArrays &arrays, const std::vector<std::uint8_t> &chosen,
                  const std::function<Eigen::Matrix3d(std::ptrdiff_t, int)> &history);
 
-  /// The lattice's planes are moving to other ranks: takes over what belongs to them. `size`: of
-  /// the new share's fields.
-  void redistribute(const PlaneExchange &planes, std::ptrdiff_t size);
+  /// The lattice's planes are moving to other ranks: takes over what belongs to them. `share`:
+  /// the new one. Collective.
+  void redistribute(const PlaneExchange &planes, const Lattice &share, MPI_Comm communicator);
+
+  /// Saves or restores the memory. Collective.
+  void exchange_state(PlaneArchive &planes);
 
   /// Memory of the history.
   double bytes_per_point() const;
@@ -119,6 +123,7 @@ private:
            p < range.last * Lattice::block_size; ++p)
         visit(p);
   }
+  void find_losers();
   void take_out(const LatticeArrays &arrays, const BrokenBondLog &broken);
   double extension_before(const LatticeArrays &arrays, std::ptrdiff_t p, std::size_t offset) const;
 

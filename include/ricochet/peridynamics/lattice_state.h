@@ -16,6 +16,7 @@
 
 namespace ricochet
 {
+class PlaneArchive;
 class PlaneExchange;
 
 class LatticeState
@@ -45,6 +46,10 @@ public:
   /// The planes of a state just made, with `lattice` as its share, take over from the state before:
   /// motion, dilatation of the step before and bonds, ghosts too. Collective.
   void take_over(const LatticeState &before, const PlaneExchange &planes, const Lattice &lattice);
+
+  /// Saves or restores motion, dilatation of the step before and bonds; forces and what follows
+  /// from the others are left alone. Collective.
+  void exchange_state(PlaneArchive &planes, const Lattice &lattice);
 
   /// Images across y = 0 take over position and velocity, a scalar, or the components 11, 22, 33,
   /// 23, 13, 12 of a symmetric tensor, of their originals.

@@ -99,6 +99,7 @@ public:
   void rest();
 
   std::unique_ptr<Vibration> vibration() override;
+  void exchange_state(StateArchive &archive) override;
   std::string first_not_finite() const override;
   /// Of the ranks that share the points.
   MPI_Comm communicator() const { return communicator_; }

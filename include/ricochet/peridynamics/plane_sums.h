@@ -26,19 +26,31 @@ public:
   /// Back to zero.
   void clear() { std::fill(planes_.begin(), planes_.end(), Values{}); }
 
+  /// Rows of other planes than first <= plane < last become zero.
+  void keep(const int first, const int last)
+  {
+    std::fill(planes_.begin(), planes_.begin() + first, Values{});
+    std::fill(planes_.begin() + last, planes_.end(), Values{});
+  }
+  /// Planes have changed their owner, and what was summed goes with them: this rank has first <=
+  /// plane < last now. Collective.
+  void move_home(const MPI_Comm communicator, const int first, const int last)
+  {
+    add_ranks(communicator, planes_);
+    keep(first, last);
+  }
+
   /// Sum over planes and ranks. Collective.
   Values total(const MPI_Comm communicator) const
   {
     int n_ranks;
     MPI_Comm_size(communicator, &n_ranks);
-    // A plane's row is zero on all ranks but its owner's, so this reduction is exact.
     const std::vector<Values> *all = &planes_;
     std::vector<Values> gathered;
     if (n_ranks > 1)
     {
       gathered = planes_;
-      MPI_Allreduce(MPI_IN_PLACE, gathered.data(), static_cast<int>(gathered.size() * n_quantities),
-                    MPI_DOUBLE, MPI_SUM, communicator);
+      add_ranks(communicator, gathered);
       all = &gathered;
     }
     Values sum{};
@@ -49,6 +61,13 @@ public:
   }
 
 private:
+  /// A plane's row is zero on all ranks but its owner's, so this reduction is exact.
+  static void add_ranks(const MPI_Comm communicator, std::vector<Values> &planes)
+  {
+    MPI_Allreduce(MPI_IN_PLACE, planes.data(), static_cast<int>(planes.size() * n_quantities),
+                  MPI_DOUBLE, MPI_SUM, communicator);
+  }
+
   std::vector<Values> planes_;
 };
 } // namespace ricochet

@@ -71,6 +71,8 @@ public:
   /// Adds cells to the zone (those inside plate and limit) and finds the layers anew. Returns
   /// whether anything changed.
   bool grow(const std::vector<Cells> &boxes);
+  /// The cells of the zone as boxes of one cell each, for grow().
+  std::vector<Cells> free_cells() const;
   /// Surface cells in these boxes carry contact points where no layer lies.
   void set_contact_region(const std::vector<Cells> &boxes);
 

@@ -35,11 +35,16 @@ public:
   /// Adds the forces of contact to the plates' points, all their other forces being there, and to
   /// the body, in the coming kick of dt [s]. Returns what each plate does to the body; collective.
   virtual std::vector<ContactRecord>
-  add_contact_forces(const std::vector<PeridynamicBody *> &plates, double dt) = 0;
+  add_contact_forces(const std::vector<PeridynamicBody *> &plates, double dt)       = 0;
+  /// As Interaction::bodies_changed().
+  virtual void plates_changed(const std::vector<PeridynamicBody *> &plates)         = 0;
+  /// As Interaction::exchange_state(): what contact with the plates has booked.
+  virtual void exchange_contact_state(StateArchive &archive,
+                                      const std::vector<PeridynamicBody *> &plates) = 0;
   /// Books the work of friction on all plates' points in a step, `dt` long [s], after their kick.
-  virtual void record_work(double dt)                                         = 0;
+  virtual void record_work(double dt)                                               = 0;
   /// Work of friction on body and points so far, both halves; minus the heat [J]. Collective.
-  virtual double friction_work() const                                        = 0;
+  virtual double friction_work() const                                              = 0;
 
   /// Largest squared frequency of the body itself, contact springs included; 0 if rigid [1/s^2].
   virtual double squared_frequency() const = 0;
@@ -52,6 +57,8 @@ protected:
   /// `body`: the undeformed shape; `mass` of the whole [kg].
   Projectile(const BodyOfRevolution &body, const double mass) : body_(body), mass_(mass) {}
 
+  /// Part of exchange_state(): what is told here.
+  void exchange_pitch(StateArchive &archive) { archive.common("pitch", pitch_); }
   /// Call when motion() is new, at the start and after every step: turns less than half a turn.
   void follow_pitch();
 

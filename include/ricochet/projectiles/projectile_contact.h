@@ -18,6 +18,11 @@ public:
   {
   }
 
+  void bodies_changed() override { projectile_.plates_changed(plates_); }
+  void exchange_state(StateArchive &archive) override
+  {
+    projectile_.exchange_contact_state(archive, plates_);
+  }
   void add_forces(double dt) override;
   void record_work(double dt) override;
   double energy() const override { return record_.energy; }

@@ -139,6 +139,8 @@ struct TimeParameters
   double safety_factor; // dt = safety * 2/omega_max [-]
   bool stop_early;      // end when the outcome is decided
   double free_time;     // free of contact this long counts as decided [s]
+  double wall_limit =
+      0.; // the run is interrupted after so long on the clock on the wall [s]; 0: never
 };
 
 /// Of the section 'Output'.
@@ -151,6 +153,9 @@ struct OutputParameters
   bool pictures;           // draw PNGs at the end
   /// Of the section's picture, ascending [s]; none: evenly spaced.
   std::vector<double> picture_times = {};
+  // Between checkpoints [s]; 0: none.
+  double checkpoint_interval        = 0.; // simulated
+  double checkpoint_wall_interval   = 0.; // on the clock on the wall
 };
 
 struct Scene

@@ -29,6 +29,9 @@ public:
   /// Call at records. Collective.
   void update(const Moment &moment);
 
+  /// Saves or restores the largest so far.
+  void exchange_state(StateArchive &archive) { archive.common("hourglass share", largest_); }
+
   const HourglassShare &largest() const { return largest_; } // of any plate
   /// Whether `most` has been exceeded.
   bool is_large() const { return largest_.share > most; }

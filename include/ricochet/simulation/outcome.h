@@ -4,7 +4,7 @@
 // hit moves away.
 #pragma once
 
-#include "ricochet/base/vector.h"
+#include "ricochet/base/state_archive.h"
 
 #include <functional>
 #include <string>
@@ -77,6 +77,9 @@ public:
 
   /// Call once per step, after the forces.
   void update(const Observation &now);
+
+  /// Saves or restores what has been seen.
+  void exchange_state(StateArchive &archive);
 
   /// The projectile is clear of the target, moves away from it and has touched nothing, debris
   /// included, for the free time; or it rests.

@@ -35,6 +35,10 @@ public:
   /// To the next time; call after compute_forces(). Collective.
   void advance();
 
+  /// Saves or restores all that moves, between steps: after advance(). A simulation to be restored
+  /// has been built from the same scene, on any number of ranks, and has made no step. Collective.
+  void exchange_state(StateArchive &archive);
+
   double time() const { return time_; } // [s]
   double dt() const { return dt_; }     // [s]
   long step() const { return step_; }   // made so far

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene_run.h"
+
+#include "ricochet/base/exceptions.h"
+#include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/units.h"
+#include "ricochet/base/version.h"
+#include "ricochet/output/summary.h"
+#include "ricochet/simulation/observation.h"
+#include "ricochet/simulation/sanity_check.h"
+
+#include <sys/resource.h>
+
+namespace ricochet
+{
+namespace
+{
+std::vector<History::Column> names_and_units()
+{
+  std::vector<History::Column> columns;
+  for (const auto &column : history_columns())
+    columns.push_back({column.name, column.unit});
+  return columns;
+}
+} // namespace
+
+double cpu_seconds(const MPI_Comm communicator)
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval &t) { return t.tv_sec + 1e-6 * t.tv_usec; };
+  double sum         = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator);
+  return sum;
+}
+
+SceneRun::SceneRun(const MPI_Comm communicator, Simulation &simulation,
+                   std::vector<InterfaceReport> interfaces, const RunOptions &options,
+                   const std::string &parameters) :
+  communicator_(communicator),
+  options_(options), simulation_(simulation), scene_(simulation.scene()),
+  watch_(watch_of(simulation)), damage_(communicator, simulation), warnings_(communicator),
+  directory_(scene_.output.directory), history_(communicator, directory_, names_and_units()),
+  frames_(communicator, directory_, scene_.output.vtu),
+  checkpoints_(communicator, scene_.output, parameters),
+  records_due_(scene_.output.history_interval), frames_due_(scene_.output.frame_interval)
+{
+  notes_.directory     = directory_.string();
+  notes_.version       = version();
+  notes_.n_ranks       = size_of(communicator);
+  notes_.n_points      = simulation.n_points();
+  notes_.n_bonds       = damage_.n_bonds();
+  notes_.start_momenta = simulation.momenta();
+  notes_.interfaces    = std::move(interfaces);
+}
+
+void SceneRun::exchange_state(StateArchive &archive)
+{
+  simulation_.exchange_state(archive);
+  const StateArchive::Group group(archive, "run");
+  watch_.exchange_state(archive);
+  warnings_.exchange_state(archive);
+  history_.exchange_state(archive);
+  frames_.exchange_state(archive);
+  records_due_.exchange_state(archive, "next record");
+  frames_due_.exchange_state(archive, "next frame");
+  archive.common("totals", totals_);
+  auto positions      = notes_.positions.dump();
+  double core_seconds = earlier_core_seconds_ + cpu_seconds(communicator_);
+  archive.common("positions", positions);
+  archive.common("core seconds", core_seconds);
+  if (!archive.is_restoring())
+    return;
+  notes_.positions      = nlohmann::ordered_json::parse(positions);
+  earlier_core_seconds_ = core_seconds;
+  first_step_           = simulation_.step();
+  checkpoints_.begin_at(simulation_.time());
+}
+
+nlohmann::ordered_json SceneRun::operator()(const double start_cpu_seconds)
+{
+  Progress progress(communicator_, scene_.time.end_time, options_.quiet);
+  try
+  {
+    loop(progress);
+  }
+  catch (const RunError &error)
+  {
+    // What there is stays usable: close the history and say what happened.
+    progress.finish();
+    notes_.failed = true;
+    finish({Outcome::undecided, ExitFace::none, 0, error.what()}, start_cpu_seconds);
+    throw;
+  }
+  progress.finish();
+  return finish(verdict_, start_cpu_seconds);
+}
+
+void SceneRun::loop(Progress &progress)
+{
+  Interruption interruption;
+  for (bool last = false;;)
+  {
+    const double time      = simulation_.time();
+    const bool record_due  = last || records_due_.is_due(time);
+    const bool picture_due = is_picture_due();
+    const bool frame_due =
+        picture_due || frames_due_.is_due(time) || (last && scene_.output.frame_interval > 0.);
+    simulation_.compute_forces(record_due);
+    watch_.update(observe(simulation_));
+    warnings_.update(simulation_);
+    if (record_due)
+      record();
+    if (frame_due)
+      write_frame();
+    if (picture_due)
+      notes_.positions.push_back(
+          sighting(simulation_, watch_, scene_.output.picture_times[notes_.positions.size()]));
+    show(progress);
+    if (last)
+    {
+      // A decision that ended the run stands, whatever the last step has brought.
+      if (!decided_)
+        verdict_ = watch_.verdict(stop_reason_);
+      return;
+    }
+
+    simulation_.advance();
+    const auto wishes = interruption.wishes(communicator_);
+    last              = must_stop(wishes);
+    keep_checkpoint(wishes, last);
+  }
+}
+
+/// Whether the next step is the last one; notes why.
+bool SceneRun::must_stop(const Interruption::Wishes &wishes)
+{
+  const double elapsed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  if (wishes.stop)
+    stop_reason_ = "interrupted";
+  else if (scene_.time.wall_limit > 0. &&
+           broadcast(communicator_, elapsed >= scene_.time.wall_limit, 0))
+    stop_reason_ = "the wall-clock limit was reached";
+  notes_.interrupted = !stop_reason_.empty();
+  if (stop_reason_.empty() && simulation_.time() >= scene_.time.end_time)
+    stop_reason_ = "the final time was reached";
+  decided_ = scene_.time.stop_early && watch_.decided();
+  if (decided_)
+    verdict_ = watch_.verdict(stop_reason_);
+  return decided_ || !stop_reason_.empty();
+}
+
+/// Before the last record, which a run that goes on does not make.
+void SceneRun::keep_checkpoint(const Interruption::Wishes &wishes, const bool stops)
+{
+  const bool unfinished = notes_.interrupted && !decided_;
+  if (unfinished || wishes.checkpoint || (!stops && checkpoints_.is_due(simulation_.time())))
+    checkpoints_.write(simulation_.step(), simulation_.time(),
+                       [this](StateArchive &archive) { exchange_state(archive); });
+}
+
+void SceneRun::record()
+{
+  records_due_.done(simulation_.time());
+  simulation_.check_finite();
+  totals_ = totals_of(simulation_);
+  const Moment moment{simulation_, totals_};
+  history_.append(history_record(moment));
+  warnings_.update(moment);
+  check_energy(moment);
+}
+
+bool SceneRun::is_picture_due() const
+{
+  const auto &times = scene_.output.picture_times;
+  return notes_.positions.size() < times.size() &&
+         simulation_.time() >= times[notes_.positions.size()];
+}
+
+void SceneRun::write_frame()
+{
+  frames_due_.done(simulation_.time());
+  const auto extent = frames_.extent();
+  frames_.write(simulation_.time(), simulation_.points(extent), simulation_.surface(),
+                simulation_.elements(extent));
+}
+
+/// Directed bonds evaluated per second of wall time, all ranks [1/s].
+double SceneRun::bond_rate() const
+{
+  const double elapsed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  return 2. * simulation_.computed_share() * notes_.n_bonds *
+         static_cast<double>(simulation_.step() - first_step_) / std::max(elapsed, 1e-9);
+}
+
+void SceneRun::show(Progress &progress) const
+{
+  progress.update({simulation_.time(), simulation_.step(),
+                   simulation_.projectile().motion().velocity.norm(),
+                   simulation_.projectile().pitch() / units::deg, totals_.broken_bonds,
+                   totals_.relative_residual(), bond_rate()});
+}
+
+nlohmann::ordered_json SceneRun::finish(const OutcomeVerdict &verdict,
+                                        const double start_cpu_seconds)
+{
+  notes_.core_seconds      = earlier_core_seconds_ + cpu_seconds(communicator_) - start_cpu_seconds;
+  notes_.bond_rate         = bond_rate();
+  notes_.deepest           = warnings_.deepest();
+  notes_.on_elements_since = warnings_.on_elements_since();
+  notes_.hourglass         = warnings_.hourglass();
+  auto summary = run_summary({simulation_, watch_, verdict, totals_, notes_}, damage_.plates());
+  write_summary(communicator_, directory_, summary);
+  write_damage_maps(communicator_, directory_, damage_.maps());
+  history_.close();
+  return summary;
+}
+} // namespace ricochet

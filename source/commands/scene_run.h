@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A run from step to step: what is due when, what is watched, what is written.
+#pragma once
+
+#include "checkpoints.h"
+#include "interruption.h"
+#include "ricochet/output/field_writer.h"
+#include "ricochet/output/history.h"
+#include "ricochet/output/progress.h"
+#include "ricochet/simulation/run_summary.h"
+#include "run.h"
+#include "run_warnings.h"
+
+#include <chrono>
+
+namespace ricochet
+{
+/// Processor time of all ranks so far: what a run costs, also where others use the machine [s].
+/// Collective.
+double cpu_seconds(MPI_Comm communicator);
+
+/// Something that is due every so often in simulated time.
+class Schedule
+{
+public:
+  explicit Schedule(const double interval) : interval_(interval) {} // [s]; 0: never
+
+  bool is_due(const double time) const { return interval_ > 0. && time >= next_; }
+  void done(const double time)
+  {
+    while (interval_ > 0. && next_ <= time)
+      next_ += interval_;
+  }
+  /// Saves or restores when it is due next.
+  void exchange_state(StateArchive &archive, const std::string &name)
+  {
+    archive.common(name, next_);
+  }
+
+private:
+  double interval_, next_ = 0.; // [s]
+};
+
+class SceneRun
+{
+public:
+  /// Of a simulation at its start, which must outlive this object. The folder of the results is
+  /// prepared; `parameters`: all that is used, as text.
+  SceneRun(MPI_Comm communicator, Simulation &simulation, std::vector<InterfaceReport> interfaces,
+           const RunOptions &options, const std::string &parameters);
+
+  /// Saves or restores the run with its simulation, and all that it has written. Collective.
+  void exchange_state(StateArchive &archive);
+
+  /// To the end; `start_cpu_seconds` when all of it began. Returns the summary.
+  nlohmann::ordered_json operator()(double start_cpu_seconds);
+
+private:
+  void loop(Progress &progress);
+  bool must_stop(const Interruption::Wishes &wishes);
+  void keep_checkpoint(const Interruption::Wishes &wishes, bool stops);
+  void record();
+  bool is_picture_due() const;
+  void write_frame();
+  double bond_rate() const;
+  void show(Progress &progress) const;
+  nlohmann::ordered_json finish(const OutcomeVerdict &verdict, double start_cpu_seconds);
+
+  MPI_Comm communicator_;
+  RunOptions options_;
+  Simulation &simulation_;
+  const Scene &scene_;
+  OutcomeWatch watch_;
+  DamageReport damage_;
+  RunWarnings warnings_;
+  std::filesystem::path directory_;
+  History history_;
+  FieldWriter frames_;
+  Checkpoints checkpoints_;
+  Schedule records_due_, frames_due_;
+  Totals totals_; // of the last record
+  RunNotes notes_;
+  double earlier_core_seconds_ = 0.; // before a resume [s]
+  long first_step_             = 0;  // of this process
+  std::string stop_reason_;
+  bool decided_ = false; // and therefore at an end
+  OutcomeVerdict verdict_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+} // namespace ricochet
