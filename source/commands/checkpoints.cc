@@ -21,7 +21,7 @@ fs::path folder_in(const fs::path &directory)
   return directory / "checkpoint";
 }
 
-/// The files of rank 0, newest first, on all ranks. Names begin with the step.
+/// As rank 0 sees them, newest first, on all ranks. Names begin with the step.
 std::vector<std::string> checkpoints_in(const MPI_Comm communicator, const fs::path &directory)
 {
   std::string names;
@@ -30,7 +30,7 @@ std::vector<std::string> checkpoints_in(const MPI_Comm communicator, const fs::p
     std::vector<std::string> found;
     std::error_code none;
     for (const auto &entry : fs::directory_iterator(folder_in(directory), none))
-      if (entry.path().extension() == ".h5")
+      if (entry.is_directory() && entry.path().extension().empty())
         found.push_back(entry.path().filename().string());
     std::sort(found.rbegin(), found.rend());
     for (const auto &name : found)
@@ -72,13 +72,13 @@ void Checkpoints::begin_at(const double time)
 void Checkpoints::write(const long step, const double time, const ExchangeState &exchange_state)
 {
   begin_at(time);
-  const std::string name = "step_" + with_zeros(static_cast<unsigned int>(step), 9) + ".h5";
+  const std::string name = "step_" + with_zeros(static_cast<unsigned int>(step), 9);
   try
   {
-    CheckpointWriter archive(communicator_, folder_in(directory_) / name);
+    CheckpointWriter archive(communicator_);
     archive.common("parameters", parameters_);
     exchange_state(archive);
-    archive.commit();
+    archive.save(folder_in(directory_) / name);
   }
   catch (const FileError &error)
   {
@@ -90,7 +90,7 @@ void Checkpoints::write(const long step, const double time, const ExchangeState 
   const auto all             = checkpoints_in(communicator_, directory_);
   std::error_code ignored;
   for (std::size_t i = kept; i < all.size() && rank_in(communicator_) == 0; ++i)
-    fs::remove(folder_in(directory_) / all[i], ignored);
+    fs::remove_all(folder_in(directory_) / all[i], ignored);
 }
 
 bool has_checkpoints(const MPI_Comm communicator, const fs::path &directory)

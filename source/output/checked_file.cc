@@ -67,7 +67,8 @@ int write_all(const int descriptor, std::string_view bytes)
 }
 } // namespace
 
-void write_file(const std::filesystem::path &path, const std::string_view bytes)
+void write_file(const std::filesystem::path &path, const std::string_view bytes,
+                const Durability durability)
 {
   // Each result file has one writer, so a fixed temporary name is enough and a later run finds and
   // replaces leftovers.
@@ -76,6 +77,8 @@ void write_file(const std::filesystem::path &path, const std::string_view bytes)
 
   const int descriptor = open_emptied(temporary);
   int reason           = write_all(descriptor, bytes);
+  if (reason == 0 && durability == Durability::on_disk && ::fsync(descriptor) != 0)
+    reason = errno;
   if (::close(descriptor) != 0 && reason == 0)
     reason = errno;
   if (reason == 0 && ::rename(temporary.c_str(), path.c_str()) != 0)
@@ -87,20 +90,17 @@ void write_file(const std::filesystem::path &path, const std::string_view bytes)
   }
 }
 
-void give_name(const std::filesystem::path &temporary, const std::filesystem::path &path)
+void name_folder(const std::filesystem::path &temporary, const std::filesystem::path &folder)
 {
-  int reason           = 0;
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0 || ::fsync(descriptor) != 0)
-    reason = errno;
-  if (descriptor >= 0)
-    ::close(descriptor);
-  if (reason == 0 && ::rename(temporary.c_str(), path.c_str()) != 0)
-    reason = errno;
-  if (reason != 0)
+  if (::rename(temporary.c_str(), folder.c_str()) != 0)
+    fail("write", folder, errno);
+  // The name is on disk when the folder around it is. Where that cannot be asked for, the system
+  // sees to it.
+  if (const int descriptor = ::open(folder.parent_path().c_str(), O_RDONLY | O_CLOEXEC);
+      descriptor >= 0)
   {
-    ::unlink(temporary.c_str());
-    fail("write", path, reason);
+    ::fsync(descriptor);
+    ::close(descriptor);
   }
 }
 

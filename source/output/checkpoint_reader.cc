@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "checkpoint_rows.h"
+#include "hdf5_handle.h"
 #include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/number_text.h"
 #include "ricochet/base/version.h"
 #include "ricochet/output/checkpoint_file.h"
 #include "ricochet/output/collective.h"
@@ -26,7 +28,6 @@ Value read_attribute(const hid_t owner, const char *const name, const hid_t type
 /// Of all datasets.
 std::vector<std::string> names_in(const hid_t file)
 {
-  const SilencedReport silenced;
   std::vector<std::string> names;
   const auto note = [](const hid_t group, const char *const name, const H5L_info_t *,
                        void *const list) -> herr_t
@@ -41,203 +42,240 @@ std::vector<std::string> names_in(const hid_t file)
   check(H5Lvisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, note, &names), "list the datasets");
   return names;
 }
-} // namespace
 
-struct CheckpointReader::File
+/// The rows of one dataset that one file has.
+class Piece
 {
-  Handle id;
+public:
+  Piece(const hid_t file, const std::string &name) :
+    dataset_(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "find " + name)
+  {
+    const Handle space(H5Dget_space(dataset_), H5Sclose, "ask for the shape of " + name);
+    hsize_t size[2];
+    check(H5Sget_simple_extent_ndims(space) == 2 ? 0 : -1, "understand " + name);
+    check(H5Sget_simple_extent_dims(space, size, nullptr), "ask for the shape of " + name);
+    rows_ = {size[1], read_attribute<std::uint64_t>(dataset_, first_name, H5T_NATIVE_UINT64),
+             size[0], read_attribute<std::uint64_t>(dataset_, n_in_all_name, H5T_NATIVE_UINT64)};
+  }
+
+  const Rows &rows() const { return rows_; }
+
+  /// Whether the bytes are those that were written.
+  bool is_sound() const
+  {
+    std::vector<char> bytes(rows_.n * rows_.bytes_per_row);
+    read(0, rows_.n, bytes.data());
+    return checksum_of(bytes.data(), bytes.size()) ==
+           read_attribute<std::uint64_t>(dataset_, checksum_name, H5T_NATIVE_UINT64);
+  }
+
+  /// Rows from `first` on, of those here.
+  void read(const std::size_t first, const std::size_t n, char *const rows) const
+  {
+    if (n == 0 || rows_.bytes_per_row == 0)
+      return;
+    const hsize_t start[2] = {first, 0}, count[2] = {n, rows_.bytes_per_row};
+    const Handle space(H5Dget_space(dataset_), H5Sclose, "ask for a shape"),
+        memory(H5Screate_simple(2, count, nullptr), H5Sclose, "create a shape");
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr),
+          "select rows");
+    check(H5Dread(dataset_, H5T_NATIVE_UINT8, memory, space, H5P_DEFAULT, rows), "read rows");
+  }
+
+private:
+  Handle dataset_;
+  Rows rows_{};
 };
 
-CheckpointReader::CheckpointReader(const MPI_Comm communicator, const std::filesystem::path &path) :
-  StateArchive(communicator), path_(path)
+[[noreturn]] void fail_to_fit(const std::filesystem::path &folder, const std::string &name)
+{
+  throw FileError("The checkpoint " + folder.string() + " does not fit the scene: it has no '" +
+                  name +
+                  "' of that size. Resume with the parameters it was written with, or start the "
+                  "run anew.");
+}
+} // namespace
+
+/// The files of all ranks that wrote, open on this one.
+struct CheckpointReader::Files
+{
+  std::vector<Handle> files;
+
+  /// Throws if some are missing or damaged; of their content each rank looks at some.
+  Files(const MPI_Comm communicator, const std::filesystem::path &folder)
+  {
+    const auto path_of = [&](const std::size_t i)
+    { return folder / ("rank_" + with_zeros(static_cast<unsigned int>(i), 4) + ".h5"); };
+    const auto open = [&](const std::size_t i)
+    {
+      const hid_t id = H5Fopen(path_of(i).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+      if (id < 0)
+        throw FileError("The checkpoint " + folder.string() + " is damaged: " +
+                        path_of(i).filename().string() + " is missing or cut off.");
+      files.emplace_back(id, H5Fclose, "open " + path_of(i).string());
+    };
+    open(0);
+    const auto format = read_attribute<double>(files[0], "checkpoint_format", H5T_NATIVE_DOUBLE);
+    if (format != checkpoint_format)
+      throw FileError("The checkpoint " + folder.string() + " has the format " +
+                      std::to_string(static_cast<int>(format)) + "; this program reads format " +
+                      std::to_string(checkpoint_format) + ".");
+    const auto n =
+        static_cast<std::size_t>(read_attribute<double>(files[0], "ranks", H5T_NATIVE_DOUBLE));
+    for (std::size_t i = 1; i < n; ++i)
+      open(i);
+    const auto rank = static_cast<std::size_t>(rank_in(communicator)),
+               step = static_cast<std::size_t>(size_of(communicator));
+    for (std::size_t i = rank; i < n; i += step)
+      for (const auto &name : names_in(files[i]))
+        if (!Piece(files[i], name).is_sound())
+          throw FileError("The checkpoint " + folder.string() + " is damaged: '" + name +
+                          "' does not match its checksum.");
+  }
+
+  bool has(const std::string &name) const
+  {
+    for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1))
+      if (H5Lexists(files[0], name.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
+        return false;
+    return H5Lexists(files[0], name.c_str(), H5P_DEFAULT) > 0;
+  }
+  /// Of all files together.
+  Rows shape(const std::string &name) const
+  {
+    return has(name) ? Piece(files[0], name).rows() : Rows{0, 0, 0, 0};
+  }
+
+  /// Rows first <= row < first + n.
+  void read(const std::string &name, const std::size_t first, const std::size_t n,
+            char *const rows) const
+  {
+    for (const auto &file : files)
+    {
+      const Piece piece(file, name);
+      const auto &there      = piece.rows();
+      const std::size_t from = std::max(first, there.first),
+                        to   = std::min(first + n, there.first + there.n);
+      if (from < to)
+        piece.read(from - there.first, to - from, rows + (from - first) * there.bytes_per_row);
+    }
+  }
+};
+
+CheckpointReader::CheckpointReader(const MPI_Comm communicator,
+                                   const std::filesystem::path &folder) :
+  StateArchive(communicator),
+  folder_(folder)
 {
   on_every_rank(communicator,
                 [&]
                 {
                   const SilencedReport silenced;
-                  const Handle access = file_access(communicator);
-                  const hid_t id      = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-                  if (id < 0)
-                    throw FileError("The checkpoint " + path.string() +
-                                    " is missing or damaged. Resume from another one.");
-                  file_.reset(new File{Handle(id, H5Fclose, "open " + path.string())});
-                  const int format = read_attribute<int>(id, "checkpoint_format", H5T_NATIVE_INT);
-                  if (format != checkpoint_format)
-                    throw FileError("The checkpoint " + path.string() + " has the format " +
-                                    std::to_string(format) + "; this program reads format " +
-                                    std::to_string(checkpoint_format) +
-                                    ". Resume with the program that wrote it.");
+                  files_ = std::make_unique<Files>(communicator, folder);
                 });
-  for (const auto &name : names_in(file_->id))
-    verify(name);
   std::string program;
   common("program", program);
   if (program != version())
     throw FileError(
-        "The checkpoint " + path.string() + " was written by ricochet " + program +
+        "The checkpoint " + folder.string() + " was written by ricochet " + program +
         ", and this is " + version() +
-        ": the run could not go on as it began. Resume with the program that wrote it.");
+        ": the run might not go on as it began. Resume with the program that wrote it.");
 }
 
 CheckpointReader::~CheckpointReader() = default;
 
-std::pair<std::size_t, std::size_t> CheckpointReader::shape(const std::string &name)
-{
-  hsize_t size[2] = {0, 0};
-  on_every_rank(communicator(),
-                [&]
-                {
-                  const SilencedReport silenced;
-                  const hid_t id = H5Dopen2(file_->id, name.c_str(), H5P_DEFAULT);
-                  if (id < 0)
-                    throw FileError("The checkpoint " + path_.string() + " lacks '" + name +
-                                    "': it belongs to another scene or is damaged. Resume from "
-                                    "another one.");
-                  const Handle dataset(id, H5Dclose, "find " + name);
-                  const Handle space(H5Dget_space(dataset), H5Sclose, "ask for a shape");
-                  check(H5Sget_simple_extent_ndims(space) == 2 ? 0 : -1, "understand " + name);
-                  check(H5Sget_simple_extent_dims(space, size, nullptr), "ask for a shape");
-                });
-  return {size[0], size[1]};
-}
-
-void CheckpointReader::read(const std::string &name, char *const rows, const std::size_t first,
-                            const std::size_t n)
-{
-  on_every_rank(
-      communicator(),
-      [&]
-      {
-        const SilencedReport silenced;
-        const Handle dataset(H5Dopen2(file_->id, name.c_str(), H5P_DEFAULT), H5Dclose,
-                             "find " + name);
-        const Handle space(H5Dget_space(dataset), H5Sclose, "ask for a shape");
-        hsize_t size[2];
-        check(H5Sget_simple_extent_dims(space, size, nullptr), "ask for a shape");
-        if (size[0] == 0 || size[1] == 0)
-          return;
-        select(space, first, n, size[1]);
-        check(H5Dread(dataset, H5T_NATIVE_UINT8, memory_space(n, size[1]), space, together(), rows),
-              "read " + name + " of " + path_.string());
-      });
-}
-
-/// Every rank reads its share of the rows of every dataset, as much at once as it takes.
-void CheckpointReader::verify(const std::string &name)
-{
-  const auto [n, bytes_per_row] = shape(name);
-  constexpr std::size_t at_once = 1 << 24; // bytes
-  const std::size_t n_ranks = size_of(communicator()), rank = rank_in(communicator()),
-                    first = n * rank / n_ranks, last = n * (rank + 1) / n_ranks,
-                    step =
-                        std::max<std::size_t>(1, at_once / std::max<std::size_t>(1, bytes_per_row));
-  // All ranks read equally often.
-  const std::size_t n_steps = (n / n_ranks + 1 + step - 1) / step;
-  std::vector<char> rows;
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < n_steps; ++i)
-  {
-    const std::size_t from  = std::min(last, first + i * step),
-                      count = std::min(last, from + step) - from;
-    rows.resize(count * bytes_per_row);
-    read(name, rows.data(), from, count);
-    sum += checksum_of(rows.data(), bytes_per_row, from, count);
-  }
-  sum = sum_over_ranks(communicator(), sum);
-  on_every_rank(communicator(),
-                [&]
-                {
-                  const SilencedReport silenced;
-                  const Handle dataset(H5Dopen2(file_->id, name.c_str(), H5P_DEFAULT), H5Dclose,
-                                       "find " + name);
-                  if (read_attribute<std::uint64_t>(dataset, checksum_name, H5T_NATIVE_UINT64) !=
-                      sum)
-                    throw FileError("The checkpoint " + path_.string() + " is damaged: '" + name +
-                                    "' does not match its checksum. Resume from another one.");
-                });
-}
-
-namespace
-{
-[[noreturn]] void fail_to_fit(const std::filesystem::path &path, const std::string &name)
-{
-  throw FileError("The checkpoint " + path.string() + " does not fit the scene: '" + name +
-                  "' has another size. Resume with the parameters it was written with.");
-}
-} // namespace
-
 std::size_t CheckpointReader::common_size(const std::string &name)
 {
-  return shape(name).second;
+  return files_->shape(name).bytes_per_row;
 }
 
 void CheckpointReader::common_bytes(const std::string &name, char *const values,
                                     const std::size_t n)
 {
-  if (shape(name) != std::pair<std::size_t, std::size_t>{1, n})
-    fail_to_fit(path_, name);
-  read(name, values, 0, 1);
+  on_every_rank(communicator(),
+                [&]
+                {
+                  const SilencedReport silenced;
+                  const auto shape = files_->shape(name);
+                  if (shape.n_in_all != 1 || shape.bytes_per_row != n)
+                    fail_to_fit(folder_, name);
+                  files_->read(name, 0, 1, values);
+                });
 }
 
 void CheckpointReader::planes_bytes(const std::string &name, char *const values,
                                     const std::size_t bytes_per_plane, const PlaneShare &share)
 {
-  if (shape(name) !=
-      std::pair<std::size_t, std::size_t>{static_cast<std::size_t>(share.n), bytes_per_plane})
-    fail_to_fit(path_, name);
-  const int first = std::max(0, share.first_local), last = std::min(share.n, share.last_local);
-  char *const begin =
-      values + static_cast<std::size_t>(first - share.first_local) * bytes_per_plane;
-  read(name, begin, static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
+  on_every_rank(communicator(),
+                [&]
+                {
+                  const SilencedReport silenced;
+                  const auto shape = files_->shape(name);
+                  if (shape.n_in_all != static_cast<std::size_t>(share.n) ||
+                      shape.bytes_per_row != bytes_per_plane)
+                    fail_to_fit(folder_, name);
+                  const int first = std::max(0, share.first_local),
+                            last  = std::min(share.n, share.last_local);
+                  files_->read(name, static_cast<std::size_t>(first),
+                               static_cast<std::size_t>(last - first),
+                               values + static_cast<std::size_t>(first - share.first_local) *
+                                            bytes_per_plane);
+                });
 }
 
 void CheckpointReader::rows_of(const std::string &name, const std::vector<std::int64_t> &keys,
                                std::vector<double> &values, const std::size_t n_columns)
 {
-  constexpr std::size_t at_once  = 1 << 16;
-  const std::string name_of_keys = name + " keys";
-  const auto n                   = shape(name).first;
-  if (shape(name).second != n_columns * sizeof(double) ||
-      shape(name_of_keys) != std::pair<std::size_t, std::size_t>{n, sizeof(std::int64_t)})
-    fail_to_fit(path_, name);
-  std::unordered_map<std::int64_t, std::size_t> wanted;
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    wanted.emplace(keys[i], i);
-  std::size_t n_found = 0;
-  values.resize(keys.size() * n_columns);
-  for (std::size_t first = 0; first < n; first += at_once)
-  {
-    const std::size_t count = std::min(at_once, n - first);
-    std::vector<std::int64_t> some_keys(count);
-    std::vector<double> some(count * n_columns);
-    read(name_of_keys, reinterpret_cast<char *>(some_keys.data()), first, count);
-    read(name, reinterpret_cast<char *>(some.data()), first, count);
-    for (std::size_t i = 0; i < count; ++i)
-      if (const auto found = wanted.find(some_keys[i]); found != wanted.end())
-      {
-        std::copy_n(some.data() + i * n_columns, n_columns,
-                    values.data() + found->second * n_columns);
-        ++n_found;
-      }
-  }
   on_every_rank(communicator(),
                 [&]
                 {
+                  const SilencedReport silenced;
+                  constexpr std::size_t at_once = 1 << 16;
+                  const auto shape              = files_->shape(name);
+                  if (shape.bytes_per_row != n_columns * sizeof(double))
+                    fail_to_fit(folder_, name);
+                  std::unordered_map<std::int64_t, std::size_t> wanted;
+                  for (std::size_t i = 0; i < keys.size(); ++i)
+                    wanted.emplace(keys[i], i);
+                  std::size_t n_found = 0;
+                  values.resize(keys.size() * n_columns);
+                  for (std::size_t first = 0; first < shape.n_in_all; first += at_once)
+                  {
+                    const std::size_t n = std::min(at_once, shape.n_in_all - first);
+                    std::vector<std::int64_t> some_keys(n);
+                    std::vector<double> some(n * n_columns);
+                    files_->read(name + " keys", first, n,
+                                 reinterpret_cast<char *>(some_keys.data()));
+                    files_->read(name, first, n, reinterpret_cast<char *>(some.data()));
+                    for (std::size_t i = 0; i < n; ++i)
+                      if (const auto found = wanted.find(some_keys[i]); found != wanted.end())
+                      {
+                        std::copy_n(some.data() + i * n_columns, n_columns,
+                                    values.data() + found->second * n_columns);
+                        ++n_found;
+                      }
+                  }
                   if (n_found != keys.size())
-                    fail_to_fit(path_, name);
+                    fail_to_fit(folder_, name);
                 });
 }
 
 void CheckpointReader::by_rank_of(const std::string &name, double *const values,
                                   const std::size_t n)
 {
-  const auto [n_ranks, bytes] = shape(name);
-  if (bytes != n * sizeof(double))
-    fail_to_fit(path_, name);
-  std::vector<double> all(n_ranks * n);
-  read(name, reinterpret_cast<char *>(all.data()), 0, n_ranks);
+  std::vector<double> all;
+  on_every_rank(communicator(),
+                [&]
+                {
+                  const SilencedReport silenced;
+                  const auto shape = files_->shape(name);
+                  if (shape.bytes_per_row != n * sizeof(double))
+                    fail_to_fit(folder_, name);
+                  all.resize(shape.n_in_all * n);
+                  files_->read(name, 0, shape.n_in_all, reinterpret_cast<char *>(all.data()));
+                });
   const auto rank = static_cast<std::size_t>(rank_in(communicator()));
-  if (n_ranks == static_cast<std::size_t>(size_of(communicator())))
+  if (all.size() == n * static_cast<std::size_t>(size_of(communicator())))
   {
     std::copy_n(all.data() + rank * n, n, values);
     return;

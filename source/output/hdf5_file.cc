@@ -118,6 +118,33 @@ void Hdf5File::add(const std::string &name, const std::vector<int> &values,
   add_dataset(handles_->file, name, values, n_columns, unit);
 }
 
+void Hdf5File::add(const std::string &name, const char *const values, const Rows &rows)
+{
+  const SilencedReport silenced;
+  const hsize_t size[2] = {rows.n, rows.bytes_per_row};
+  const Handle space(H5Screate_simple(2, size, nullptr), H5Sclose, "create the shape of " + name);
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "create a list of links");
+  check(H5Pset_create_intermediate_group(links, 1), "ask for groups");
+  const Handle dataset(H5Dcreate2(handles_->file, name.c_str(), H5T_NATIVE_UINT8, space, links,
+                                  H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose, "create the dataset " + name);
+  const std::pair<const char *, std::uint64_t> attributes[] = {
+      {checksum_name, checksum_of(values, rows.n * rows.bytes_per_row)},
+      {first_name, rows.first},
+      {n_in_all_name, rows.n_in_all}};
+  for (const auto &[key, value] : attributes)
+  {
+    const Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "create a scalar");
+    const Handle attribute(
+        H5Acreate2(dataset, key, H5T_NATIVE_UINT64, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+        std::string("create the attribute ") + key);
+    check(H5Awrite(attribute, H5T_NATIVE_UINT64, &value), std::string("write ") + key);
+  }
+  if (rows.n > 0 && rows.bytes_per_row > 0)
+    check(H5Dwrite(dataset, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
+          "write the dataset " + name);
+}
+
 void Hdf5File::link(const std::string &name, const std::string &file)
 {
   const SilencedReport silenced;
@@ -126,7 +153,7 @@ void Hdf5File::link(const std::string &name, const std::string &file)
       "create the link " + name);
 }
 
-void Hdf5File::save(const std::filesystem::path &path)
+void Hdf5File::save(const std::filesystem::path &path, const Durability durability)
 {
   const SilencedReport silenced;
   check(H5Fflush(handles_->file, H5F_SCOPE_GLOBAL), "complete " + path.string());
@@ -135,6 +162,6 @@ void Hdf5File::save(const std::filesystem::path &path)
   std::string bytes(static_cast<std::size_t>(size), '\0');
   check(H5Fget_file_image(handles_->file, bytes.data(), bytes.size()) < 0 ? -1 : 0,
         "copy " + path.string());
-  write_file(path, bytes);
+  write_file(path, bytes, durability);
 }
 } // namespace ricochet

@@ -4,6 +4,9 @@
 // used by one rank.
 #pragma once
 
+#include "checkpoint_rows.h"
+#include "ricochet/output/checked_file.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -32,12 +35,16 @@ public:
   void add(const std::string &name, const std::vector<int> &values, std::size_t n_columns,
            const std::string &unit);
 
+  /// Adds rows of bytes, not compressed, in the groups that its name asks for; which rows they are,
+  /// of how many, and their checksum become attributes.
+  void add(const std::string &name, const char *values, const Rows &rows);
+
   /// Adds a link, seen by readers as a group, to the root of another HDF5 file; the path is
   /// relative to this file.
   void link(const std::string &name, const std::string &file);
 
   /// Writes the file to disk through write_file. May be called once, last.
-  void save(const std::filesystem::path &path);
+  void save(const std::filesystem::path &path, Durability durability = Durability::as_others);
 
 private:
   struct Handles;

@@ -27,28 +27,44 @@ bool is_result(const fs::path &folder, const std::string &name)
   static const std::regex vtu(
       "((points|elements)_[0-9]{4,}\\.(pvtu|[0-9]{3,}\\.vtu)|projectile_[0-9]{4,}\\.vtu)(\\.tmp)?");
   static const std::regex section("frame_[0-9]{4,}\\.h5(\\.tmp)?");
-  static const std::regex checkpoint("step_[0-9]{9,}\\.h5(\\.tmp)?");
+  static const std::regex checkpoint("rank_[0-9]{4,}\\.h5(\\.tmp)?");
   return std::regex_match(name, folder.empty()        ? top
                                 : folder == "vtu"     ? vtu
                                 : folder == "section" ? section
                                                       : checkpoint);
 }
 
+/// A link may lead anywhere: only true folders are entered below the one that the user has named.
+bool is_true_folder(const fs::path &path)
+{
+  return fs::is_directory(fs::symlink_status(path));
+}
+
+/// Those that a run makes in its own, deepest first.
+std::vector<fs::path> folders_in(const fs::path &path)
+{
+  static const std::regex step("step_[0-9]{9,}(\\.tmp)?");
+  std::vector<fs::path> folders;
+  if (is_true_folder(path / "checkpoint"))
+    for (const fs::directory_entry &entry : fs::directory_iterator(path / "checkpoint"))
+      if (is_true_folder(entry.path()) && std::regex_match(entry.path().filename().string(), step))
+        folders.push_back("checkpoint" / entry.path().filename());
+  for (const char *folder : {"checkpoint", "vtu", "section"})
+    if (is_true_folder(path / folder))
+      folders.emplace_back(folder);
+  return folders;
+}
+
 std::vector<fs::path> results_in(const fs::path &path)
 {
   std::vector<fs::path> found;
-  for (const fs::path folder : {"", "vtu", "section", "checkpoint"})
-  {
-    const fs::path place = path / folder;
-    // A link may lead anywhere: only true folders are entered below the one that the user has
-    // named.
-    if (!folder.empty() && !fs::is_directory(fs::symlink_status(place)))
-      continue;
-    for (const fs::directory_entry &entry : fs::directory_iterator(place))
+  auto folders = folders_in(path);
+  folders.emplace_back("");
+  for (const fs::path &folder : folders)
+    for (const fs::directory_entry &entry : fs::directory_iterator(path / folder))
       if (fs::is_regular_file(entry.symlink_status()) &&
           is_result(folder, entry.path().filename().string()))
         found.push_back(entry.path());
-  }
   return found;
 }
 
@@ -62,11 +78,10 @@ void remove_results(const fs::path &path)
                     "remove the file.");
   for (const fs::path &file : results)
     fs::remove(file);
-  for (const char *folder : {"vtu", "section", "checkpoint"})
+  for (const fs::path &folder : folders_in(path))
   {
     std::error_code not_empty; // then it holds files of the user and stays
-    if (fs::is_directory(fs::symlink_status(path / folder)))
-      fs::remove(path / folder, not_empty);
+    fs::remove(path / folder, not_empty);
   }
 }
 

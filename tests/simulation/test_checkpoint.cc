@@ -39,7 +39,8 @@ int different(const Rows &one, const Rows &other)
       if (one[i][k] != other[i][k])
       {
         ++n;
-        ADD_FAILURE() << "row " << i << ", " << history_columns()[k].name << ": " << one[i][k] << " and " << other[i][k];
+        ADD_FAILURE() << "row " << i << ", " << history_columns()[k].name << ": " << one[i][k]
+                      << " and " << other[i][k];
       }
   return n;
 }
@@ -50,14 +51,14 @@ constexpr int n_before = 75, n_after = 66;
 void expect_no_difference(const Scene &scene, const bool on_one_rank)
 {
   const ScratchDirectory folder;
-  const auto path = folder.path() / "state.h5";
+  const auto path = folder.path() / "state";
   Rows uninterrupted;
   {
     Simulation simulation(MPI_COMM_WORLD, scene);
     go_on(simulation, n_before);
-    CheckpointWriter archive(MPI_COMM_WORLD, path);
+    CheckpointWriter archive(MPI_COMM_WORLD);
     simulation.exchange_state(archive);
-    archive.commit();
+    archive.save(path);
     uninterrupted = go_on(simulation, n_after);
     EXPECT_GT(simulation.broken_bonds(), 1000.) << "too few for a hard test";
   }
@@ -146,13 +147,13 @@ TEST(Checkpoint, OfAZoneThatGrowsInWhatRelaxes)
 TEST(Checkpoint, AnotherStateGoesOnOtherwise)
 {
   const ScratchDirectory folder;
-  const auto path   = folder.path() / "state.h5";
+  const auto path   = folder.path() / "state";
   const Scene scene = symmetric(small_scene());
   Simulation one(MPI_COMM_WORLD, scene);
   go_on(one, 40);
-  CheckpointWriter archive(MPI_COMM_WORLD, path);
+  CheckpointWriter archive(MPI_COMM_WORLD);
   one.exchange_state(archive);
-  archive.commit();
+  archive.save(path);
   Simulation other(MPI_COMM_WORLD, scene);
   CheckpointReader saved(MPI_COMM_WORLD, path);
   other.exchange_state(saved);

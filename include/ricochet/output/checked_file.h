@@ -9,14 +9,23 @@
 
 namespace ricochet
 {
+/// Whether a file must have reached the disk before it gets its name, so that it is whole even if
+/// the machine goes down.
+enum class Durability
+{
+  as_others, // when the system sees fit
+  on_disk
+};
+
 /// Writes a file under a temporary name (path + ".tmp") and renames it, so that a reader, a broken
 /// run or a full disk never leaves half a file and an older file of that name survives a failure.
 /// Throws FileError.
-void write_file(const std::filesystem::path &path, std::string_view bytes);
+void write_file(const std::filesystem::path &path, std::string_view bytes,
+                Durability durability = Durability::as_others);
 
-/// Gives a file that somebody else has written its name, once its content has reached the disk; an
-/// older file of that name is replaced. Throws FileError, and removes the file then.
-void give_name(const std::filesystem::path &temporary, const std::filesystem::path &path);
+/// Gives a folder of files that are on disk its name, which nothing else may have. Throws
+/// FileError.
+void name_folder(const std::filesystem::path &temporary, const std::filesystem::path &folder);
 
 /// Creates a folder if it does not exist yet. Throws FileError.
 void make_directory(const std::filesystem::path &path);
