@@ -21,6 +21,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -41,10 +42,10 @@ double cpu_seconds(const MPI_Comm communicator)
   return sum;
 }
 
-std::vector<History::Column> names_and_units()
+std::vector<History::Column> names_and_units(const std::size_t n_projectiles)
 {
   std::vector<History::Column> columns;
-  for (const auto &column : history_columns())
+  for (const auto &column : history_columns(n_projectiles))
     columns.push_back({column.name, column.unit});
   return columns;
 }
@@ -86,11 +87,14 @@ public:
       const RunOptions &options) :
     communicator_(communicator),
     options_(options), simulation_(simulation), scene_(simulation.scene()),
-    watch_(watch_of(simulation)), damage_(communicator, simulation), warnings_(communicator),
-    directory_(scene_.output.directory), history_(communicator, directory_, names_and_units()),
+    damage_(communicator, simulation), warnings_(communicator), directory_(scene_.output.directory),
+    history_(communicator, directory_, names_and_units(simulation.n_projectiles())),
     frames_(communicator, directory_, scene_.output.vtu),
     records_due_(scene_.output.history_interval), frames_due_(scene_.output.frame_interval)
   {
+    for (std::size_t i = 0; i < simulation.n_projectiles(); ++i)
+      watches_.push_back(watch_of(simulation, i));
+    notes_.further_positions.resize(watches_.size() - 1, nlohmann::ordered_json::array());
     notes_.directory     = directory_.string();
     notes_.version       = version();
     notes_.n_ranks       = size_of(communicator);
@@ -113,11 +117,12 @@ public:
       // What there is stays usable: close the history and say what happened.
       progress.finish();
       notes_.failed = true;
-      finish({Outcome::undecided, ExitFace::none, 0, error.what()}, start_cpu_seconds);
+      verdicts_.assign(watches_.size(), {Outcome::undecided, ExitFace::none, 0, error.what()});
+      finish(start_cpu_seconds);
       throw;
     }
     progress.finish();
-    return finish(verdict_, start_cpu_seconds);
+    return finish(start_cpu_seconds);
   }
 
 private:
@@ -132,21 +137,21 @@ private:
       const bool frame_due =
           picture_due || frames_due_.is_due(time) || (last && scene_.output.frame_interval > 0.);
       simulation_.compute_forces(record_due);
-      watch_.update(observe(simulation_));
+      for (std::size_t i = 0; i < watches_.size(); ++i)
+        watches_[i].update(observe(simulation_, i));
       warnings_.update(simulation_);
       if (record_due)
         record();
       if (frame_due)
         write_frame();
       if (picture_due)
-        notes_.positions.push_back(
-            sighting(simulation_, watch_, scene_.output.picture_times[notes_.positions.size()]));
+        note_positions();
       show(progress);
       if (last)
       {
         // A decision that ended the run stands, whatever the last step has brought.
         if (!decided_)
-          verdict_ = watch_.verdict(stop_reason_);
+          judge();
         return;
       }
 
@@ -165,10 +170,28 @@ private:
     }
     else if (simulation_.time() >= scene_.time.end_time)
       stop_reason_ = "the final time was reached";
-    decided_ = scene_.time.stop_early && watch_.decided();
+    decided_ = scene_.time.stop_early &&
+               std::all_of(watches_.begin(), watches_.end(),
+                           [](const OutcomeWatch &watch) { return watch.decided(); });
     if (decided_)
-      verdict_ = watch_.verdict(stop_reason_);
+      judge();
     return decided_ || !stop_reason_.empty();
+  }
+
+  /// Every projectile as it is now.
+  void judge()
+  {
+    verdicts_.clear();
+    for (const auto &watch : watches_)
+      verdicts_.push_back(watch.verdict(stop_reason_));
+  }
+
+  void note_positions()
+  {
+    const double stated_time = scene_.output.picture_times[notes_.positions.size()];
+    notes_.positions.push_back(sighting(simulation_, watches_[0], stated_time));
+    for (std::size_t i = 1; i < watches_.size(); ++i)
+      notes_.further_positions[i - 1].push_back(sighting(simulation_, watches_[i], stated_time, i));
   }
 
   void record()
@@ -214,14 +237,17 @@ private:
                      totals_.relative_residual(), bond_rate()});
   }
 
-  nlohmann::ordered_json finish(const OutcomeVerdict &verdict, const double start_cpu_seconds)
+  nlohmann::ordered_json finish(const double start_cpu_seconds)
   {
     notes_.core_seconds      = cpu_seconds(communicator_) - start_cpu_seconds;
     notes_.bond_rate         = bond_rate();
     notes_.deepest           = warnings_.deepest();
     notes_.on_elements_since = warnings_.on_elements_since();
     notes_.hourglass         = warnings_.hourglass();
-    auto summary = run_summary({simulation_, watch_, verdict, totals_, notes_}, damage_.plates());
+    RunEnd end{simulation_, watches_[0], verdicts_[0], totals_, notes_};
+    for (std::size_t i = 1; i < watches_.size(); ++i)
+      end.further.push_back({watches_[i], verdicts_[i]});
+    auto summary = run_summary(end, damage_.plates());
     write_summary(communicator_, directory_, summary);
     write_damage_maps(communicator_, directory_, damage_.maps());
     history_.close();
@@ -232,7 +258,7 @@ private:
   RunOptions options_;
   Simulation &simulation_;
   const Scene &scene_;
-  OutcomeWatch watch_;
+  std::vector<OutcomeWatch> watches_; // of each projectile
   DamageReport damage_;
   RunWarnings warnings_;
   std::filesystem::path directory_;
@@ -242,8 +268,8 @@ private:
   Totals totals_; // of the last record
   RunNotes notes_;
   std::string stop_reason_;
-  bool decided_ = false; // and therefore at an end
-  OutcomeVerdict verdict_;
+  bool decided_ = false;                 // and therefore at an end
+  std::vector<OutcomeVerdict> verdicts_; // of each, at the end
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 } // namespace

@@ -176,9 +176,9 @@ void add_support_entries(Section &in, PlateEntries &rows)
 }
 } // namespace
 
-unsigned int plate_number(const std::string &section)
+unsigned int number_in(const std::string &section, const std::string &kind)
 {
-  const std::string prefix = "Plate ";
+  const std::string prefix = kind + " ";
   const std::string digits = section.substr(std::min(prefix.size(), section.size()));
   if (section.rfind(prefix, 0) != 0 || digits.empty() || digits.size() > 4 || digits[0] == '0' ||
       digits.find_first_not_of("0123456789") != std::string::npos)

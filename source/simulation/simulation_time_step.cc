@@ -56,11 +56,16 @@ void Simulation::choose_time_step()
     elastic_seconds.push_back(estimate.seconds_per_force);
     frequencies_.push_back(estimate);
   }
-  time_step_info_.seconds_per_step += projectile_->seconds_per_step();
+  double stiffest = 0.; // squared frequency of a projectile [1/s^2]
+  for (const auto &projectile : projectiles_)
+  {
+    time_step_info_.seconds_per_step += projectile->seconds_per_step();
+    stiffest = std::max(stiffest, projectile->squared_frequency());
+  }
   const double safety = scene_.time.safety_factor;
   time_step_info_.plates_dt =
       std::min(safety * 2. / std::sqrt(largest), 2. / std::sqrt(largest_cracked));
-  time_step_info_.projectile_dt = safety * 2. / std::sqrt(projectile_->squared_frequency());
+  time_step_info_.projectile_dt = safety * 2. / std::sqrt(stiffest);
   dt_ = std::min(time_step_info_.plates_dt, time_step_info_.projectile_dt);
   start_relaxation(elastic_seconds);
 }

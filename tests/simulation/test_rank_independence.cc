@@ -27,11 +27,14 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene, con
     simulation.compute_forces(/*energy=*/true);
     if (i % 20 == 0)
     {
-      const auto &motion = simulation.projectile().motion();
-      for (const auto &v : {motion.position, motion.velocity, motion.spin})
-        add(v);
-      rows.insert(rows.end(), motion.orientation.coeffs().data(),
-                  motion.orientation.coeffs().data() + 4);
+      for (std::size_t k = 0; k < simulation.n_projectiles(); ++k)
+      {
+        const auto &motion = simulation.projectile(k).motion();
+        for (const auto &v : {motion.position, motion.velocity, motion.spin})
+          add(v);
+        rows.insert(rows.end(), motion.orientation.coeffs().data(),
+                    motion.orientation.coeffs().data() + 4);
+      }
       const auto e = simulation.energies();
       rows.insert(rows.end(), {e.projectile, e.kinetic, e.strain, e.contact, e.debris, e.friction,
                                e.fracture, e.initial, e.viscous, e.debris_friction});
@@ -116,6 +119,15 @@ TEST(RankIndependence, PlatesWithHolesAndCracksAreExactlyTheSame)
   scene.plates[0].cutouts.notches = {{20e-3, 21e-3, -5e-3, 5e-3, 0., 4e-3}};
   scene.plates[0].cutouts.cracks  = {{0, 10.5e-3, -3e-3, 3e-3, 0., 5e-3},
                                      {1, 0., 22e-3, 29e-3, 2e-3, 9e-3}};
+  expect_the_same_on_any_number_of_ranks(scene);
+}
+
+TEST(RankIndependence, TwoProjectilesAreExactlyTheSame)
+{
+  Scene scene = symmetric(small_scene());
+  scene.further_shots.push_back({deformable(scene).projectile, scene.impact});
+  scene.further_shots[0].impact.entry_x   = 20e-3;
+  scene.further_shots[0].impact.clearance = 2e-3;
   expect_the_same_on_any_number_of_ranks(scene);
 }
 

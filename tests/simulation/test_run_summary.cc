@@ -50,7 +50,7 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
     else if (field.place == "plate_N_")
       for (const char *plate : {"plate_1_", "plate_2_"})
         listed.insert(plate + field.name);
-    else
+    else if (field.place.rfind("projectiles", 0) != 0)
     {
       EXPECT_TRUE(summary.contains(field.place)) << field.place;
       listed.insert(field.place);
@@ -72,6 +72,43 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
   ASSERT_EQ(summary["zones"].size(), 2u);
   EXPECT_EQ(summary["zones"][0].size(), 2u);
   EXPECT_EQ(summary["zones"][0]["share_of_volume"], 1.);
+}
+
+TEST(RunSummary, OfSeveralProjectilesHasAnObjectOfEach)
+{
+  Scene scene = two_plates();
+  scene.further_shots.push_back({scene.projectile, scene.impact});
+  scene.further_shots[0].impact.entry_x = 22e-3;
+  scene.further_shots[0].impact.speed   = 200.;
+  Simulation simulation(MPI_COMM_WORLD, scene);
+  std::vector<OutcomeWatch> watches{watch_of(simulation, 0), watch_of(simulation, 1)};
+  simulation.compute_forces(true);
+  for (const std::size_t i : {0, 1})
+    watches[i].update(observe(simulation, i));
+  RunNotes notes;
+  notes.positions.push_back(sighting(simulation, watches[0], 0.));
+  notes.further_positions.push_back(Json::array({sighting(simulation, watches[1], 0., 1)}));
+  const OutcomeVerdict first{Outcome::perforate, ExitFace::rear, 2, "a reason"},
+      second{Outcome::ricochet, ExitFace::front, 1, "another"};
+  const Json summary =
+      run_summary({simulation, watches[0], first, {}, notes, {{watches[1], second}}}, {});
+
+  const auto &all = summary["projectiles"];
+  ASSERT_EQ(all.size(), 2u);
+  std::set<std::string> listed{"positions"}, present;
+  for (const auto &field : summary_fields())
+    if (field.place == "projectiles")
+      listed.insert(field.name);
+  for (const auto &[name, value] : all[1].items())
+    present.insert(name);
+  EXPECT_EQ(present, listed);
+  for (const auto &[name, value] : all[0].items())
+    EXPECT_EQ(summary[name], value) << name;
+  EXPECT_EQ(all[1]["outcome"], "ricochet");
+  EXPECT_EQ(all[1]["reason"], "another");
+  EXPECT_NEAR(all[1]["exit_speed_m_s"], 200., 1e-12);
+  EXPECT_NEAR(all[1]["positions"][0]["speed_m_s"], 200., 1e-12);
+  EXPECT_NEAR(all[0]["positions"][0]["speed_m_s"], 300., 1e-12);
 }
 
 TEST(RunSummary, DamagedBoxesAreThoseOfSmallScenesToo)
