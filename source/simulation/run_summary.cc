@@ -212,7 +212,11 @@ const std::vector<SummaryRow<PlateDamage>> damage_rows{
      "area of the points of its front face that have lost more than a quarter of their bonds"},
     {"rear_damaged_mm2", "mm2",
      [](const PlateDamage &d) -> Json { return d.rear_area / (mm * mm); },
-     "the same of its rear face"}};
+     "the same of its rear face"},
+    {"joint_broken_share", "-",
+     [](const PlateDamage &d) -> Json
+     { return d.joint_broken_share >= 0. ? Json(d.joint_broken_share) : left_out(); },
+     "of its joint to the plate above, what has broken; there if the two have one"}};
 
 /// All projectiles, if there are several.
 Json projectiles_of(const RunEnd &end)

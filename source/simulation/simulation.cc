@@ -21,6 +21,7 @@ Simulation::Simulation(const MPI_Comm communicator, const Scene &scene) :
 {
   build_projectiles();
   build_contact();
+  build_joints();
   build_supports();
   choose_time_step();
   std::vector<Body *> bodies;
@@ -30,6 +31,9 @@ Simulation::Simulation(const MPI_Comm communicator, const Scene &scene) :
     bodies.push_back(projectile.get());
   // Friction of a projectile must know what else moves the points, supports what pulls at them.
   std::vector<Interaction *> interactions{short_range_contact_.get()};
+  for (const auto &joint : joints_)
+    if (joint != nullptr)
+      interactions.push_back(joint.get());
   for (const auto &contact : projectile_contacts_)
     interactions.push_back(contact.get());
   for (const auto &support : supports_)
@@ -79,6 +83,20 @@ void Simulation::build_contact()
     friction = {friction_law_.get(), contact.debris_friction, contact.regularisation_speed};
   short_range_contact_ = std::make_unique<ShortRangeContact>(
       communicator_, plates(), contact.debris_factor, scene_.symmetric, contact.search, friction);
+}
+
+void Simulation::build_joints()
+{
+  joints_.resize(plates_.size());
+  for (std::size_t i = 1; i < plates_.size(); ++i)
+    if (const auto &plate = scene_.plates[i]; plate.has_joint())
+    {
+      const double tension = plate.joint_tension,
+                   shear   = plate.joint_shear > 0. ? plate.joint_shear : tension;
+      joints_[i] =
+          std::make_unique<PlateJoint>(communicator_, *plates_[i - 1].points, *plates_[i].points,
+                                       PlateJoint::Strength{tension, shear});
+    }
 }
 
 void Simulation::build_supports()
@@ -147,6 +165,12 @@ EnergyBalance Simulation::energies() const
     e.contact += projectile_contacts_[i]->energy();
     e.friction -= projectile_contacts_[i]->friction_work(); // from 0: never -0
   }
+  for (const auto &joint : joints_)
+    if (joint != nullptr)
+    {
+      e.strain += joint->energy();
+      e.fracture += joint->released_energy();
+    }
   e.initial         = initial_energy_;
   e.debris          = short_range_contact_->energy();
   e.debris_friction = 0. - short_range_contact_->friction_work();

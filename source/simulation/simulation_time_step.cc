@@ -42,9 +42,12 @@ void Simulation::choose_time_step()
   time_step_info_ = {};
   for (const auto &plate : plates_)
   {
-    const auto estimate  = frequency_of(plate);
-    const double contact = contact_stiffness(*plate.points) / plate.points->point_mass() +
-                           short_range_contact_->squared_frequency(*plate.points);
+    const auto estimate = frequency_of(plate);
+    double contact      = contact_stiffness(*plate.points) / plate.points->point_mass() +
+                     short_range_contact_->squared_frequency(*plate.points);
+    for (const auto &joint : joints_)
+      if (joint != nullptr)
+        contact += joint->squared_frequency(*plate.points);
     if (estimate.squared_frequency + contact > largest)
     {
       largest                       = estimate.squared_frequency + contact;

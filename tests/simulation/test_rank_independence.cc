@@ -92,6 +92,11 @@ TEST(RankIndependence, TwoHalfPlatesAreExactlyTheSame)
   expect_the_same_on_any_number_of_ranks(symmetric(two_plates()));
 }
 
+TEST(RankIndependence, JoinedHalfPlatesAreExactlyTheSame)
+{
+  expect_the_same_on_any_number_of_ranks(joined(symmetric(two_plates())));
+}
+
 TEST(RankIndependence, BondBasedLawIsExactlyTheSame)
 {
   Scene scene                      = symmetric(small_scene());

@@ -41,7 +41,7 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
   notes.positions.push_back(sighting(simulation, watch, 2e-6));
   const OutcomeVerdict verdict{Outcome::perforate, ExitFace::rear, 2, "a reason"};
   const Json summary = run_summary({simulation, watch, verdict, totals, notes},
-                                   {{0.1, 1e-6, 2e-6}, {0.2, 3e-6, 4e-6}});
+                                   {{0.1, 1e-6, 2e-6}, {0.2, 3e-6, 4e-6, 0.75}});
 
   std::set<std::string> listed, present;
   for (const auto &field : summary_fields())
@@ -57,7 +57,9 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
     }
   for (const auto &[name, value] : summary.items())
     present.insert(name);
+  listed.erase("plate_1_joint_broken_share"); // there is no plate above
   EXPECT_EQ(present, listed);
+  EXPECT_EQ(summary["plate_2_joint_broken_share"], 0.75);
 
   EXPECT_EQ(summary["outcome"], "perforate");
   EXPECT_EQ(summary["exit_face"], "rear");

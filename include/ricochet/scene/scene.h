@@ -52,7 +52,13 @@ struct PlateParameters
   bool absorbing_edges                          = false; // waves leave through the side faces
   ClampedSides clamped_sides                    = ClampedSides::none; // which edges are held
   double clamp_width                            = 0.;                 // [m]; 0: not given
-  Cutouts cutouts = {}; // holes, notches and cracks it has from the start
+  Cutouts cutouts      = {}; // holes, notches and cracks it has from the start
+  // Of the joint to the plate above, if there is one:
+  double joint_tension = 0.; // strength [Pa]; 0: they only touch
+  double joint_shear   = 0.; // likewise [Pa]; 0: that under tension
+
+  /// Whether it is joined to the plate above.
+  bool has_joint() const { return joint_tension > 0.; }
 
   /// Of the frame that is held along the clamped sides: one horizon unless given [m].
   double held_width() const { return clamp_width > 0. ? clamp_width : horizon_ratio * spacing; }

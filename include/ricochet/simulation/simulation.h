@@ -3,6 +3,7 @@
 // How a step goes stands in dynamics/leapfrog.h. Knows neither files nor the clock on the wall.
 #pragma once
 
+#include "ricochet/contact/plate_joint.h"
 #include "ricochet/contact/short_range_contact.h"
 #include "ricochet/coupling/adaptive_plate.h"
 #include "ricochet/coupling/clamped_edges.h"
@@ -80,6 +81,8 @@ public:
   MomentumBalance momenta() const;
   // All numbers are those of whole bodies, also if a symmetry plane spares one half.
   double broken_bonds() const; // so far, each once; collective
+  /// Of a plate to the one above; null: they only touch.
+  const PlateJoint *joint_above(std::size_t plate) const { return joints_[plate].get(); }
   /// Box around the damaged points of a plate in the reference configuration [m]; low > high if
   /// there are none. Collective.
   std::pair<Vector3, Vector3> damaged_box(std::size_t plate) const;
@@ -116,6 +119,7 @@ private:
   void build_projectiles();
   void refuse_overlap(std::size_t projectile);
   void build_contact();
+  void build_joints();
   void build_supports();
   double contact_stiffness(const PeridynamicBody &plate) const; // [N/m]
   /// Bound from above, without contact. Collective.
@@ -131,6 +135,8 @@ private:
   std::vector<std::unique_ptr<Projectile>> projectiles_;
   std::vector<std::unique_ptr<ProjectileContact>> projectile_contacts_; // of each
   std::unique_ptr<ShortRangeContact> short_range_contact_;
+  /// Of each plate to the one above; null: none.
+  std::vector<std::unique_ptr<PlateJoint>> joints_;
   std::vector<std::unique_ptr<ClampedEdges>> supports_; // of the plates that have some
   std::unique_ptr<Leapfrog> integrator_;
   TimeStepInfo time_step_info_;
