@@ -6,6 +6,7 @@
 
 #include "support/scratch_directory.h"
 #include "support/two_plates_text.h"
+#include "support/verification.h"
 
 #include <nlohmann/json.hpp>
 
@@ -172,6 +173,8 @@ TEST(Run, FramesLeaveNoTraceInTheHistory)
   const auto without = history("without", {"Output/Picture times=100 us"}),
              with = history("with", {"Output/Frame interval=0.3 us", "Output/ParaView files=true"});
   EXPECT_EQ(with, without);
+  verify_at_most("V28", "output: whether the history differs if frames are written",
+                 with != without, 0.);
   EXPECT_EQ(std::filesystem::exists(scratch.path() / "with/vtu/points_0020.pvtu"), true);
 }
 
