@@ -37,7 +37,7 @@ def sizes_of(first):
 
 def window(frames, first):
     """Limits of the axes, the same in all panels: the projectile's way and the plates beside it."""
-    outlines = np.concatenate([frame.outline for frame in frames])
+    outlines = np.concatenate([outline for frame in frames for outline in frame.outlines])
     shown = [outlines]
     for frame in frames:
         if len(frame.damage) == len(first.points):
@@ -76,7 +76,8 @@ def draw_frame(axes, frame, sizes, history):
     )
     plates.set_clim(0, 1)
     axes.add_collection(plates)
-    axes.fill(*frame.outline.T, facecolor=STEEL, edgecolor=STEEL_EDGE, linewidth=0.7, zorder=3, joinstyle="round")
+    for outline in frame.outlines:
+        axes.fill(*outline.T, facecolor=STEEL, edgecolor=STEEL_EDGE, linewidth=0.7, zorder=3, joinstyle="round")
     if history is not None:
         past = history["time"] <= frame.time * (1 + 1e-9)
         axes.plot(history["x"][past], history["z"][past], color=BLUE, linewidth=0.9, zorder=4)

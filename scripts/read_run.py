@@ -57,7 +57,8 @@ class Frame:
         self.points = group["position"][:][:, [0, 2]] * 1e3
         self.damage = group["damage"][:]
         self.body = group["body"][:]
-        self.outline = group["outline"][:][:, [0, 2]] * 1e3
+        names = ["outline"] + sorted((name for name in group if name.startswith("outline ")), key=lambda name: int(name.split()[1]))
+        self.outlines = [group[name][:][:, [0, 2]] * 1e3 for name in names]  # of each projectile
 
 
 class DamageMap:

@@ -115,18 +115,20 @@ void print_plates(const Simulation &simulation)
     print_relaxation(simulation, i);
   }
 }
-void print_projectile(const Scene &scene, const Projectile &projectile)
+void print_projectile(const Simulation &simulation, const std::size_t number)
 {
-  const auto &body = projectile.body();
-  std::printf("projectile     diameter %.4g mm, length %.4g mm, %.4g g, mean density %.0f kg/m3, "
+  const auto &projectile = simulation.projectile(number);
+  const auto &given      = simulation.scene().projectile_at(number);
+  const auto &impact     = simulation.scene().impact_at(number);
+  const auto &body       = projectile.body();
+  std::printf("projectile %-3s diameter %.4g mm, length %.4g mm, %.4g g, mean density %.0f kg/m3, "
               "%.4g m/s, %.4g deg, %.4g kJ\n",
-              body.shape().diameter / mm, body.shape().length / mm, scene.projectile.mass / g,
-              scene.projectile.mass / body.volume(), scene.impact.speed,
-              scene.impact.incidence_angle / deg,
-              0.5e-3 * scene.projectile.mass * scene.impact.speed * scene.impact.speed);
+              number == 0 ? "" : std::to_string(number + 1).c_str(), body.shape().diameter / mm,
+              body.shape().length / mm, given.mass / g, given.mass / body.volume(), impact.speed,
+              impact.incidence_angle / deg, 0.5e-3 * given.mass * impact.speed * impact.speed);
   if (const std::string parts = projectile.parts(); !parts.empty())
     std::printf("  deformable   %s, E %.4g GPa, nu %.3f\n", parts.c_str(),
-                scene.projectile.youngs_modulus / GPa, scene.projectile.poissons_ratio);
+                given.youngs_modulus / GPa, given.poissons_ratio);
 }
 
 /// In bytes.
@@ -216,7 +218,8 @@ bool check_scene(const MPI_Comm communicator, const ParameterFile &file,
     return good;
 
   std::printf("scene          %s (%s)\n", scene.title.c_str(), file.path().c_str());
-  print_projectile(scene, simulation.projectile());
+  for (std::size_t i = 0; i < simulation.n_projectiles(); ++i)
+    print_projectile(simulation, i);
   print_plates(simulation);
   print_cost(simulation, cost);
   if (options.coupling && interfaces.empty())

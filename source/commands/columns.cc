@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 /// Where a field stands: "zones[].elements", "plate_N_broken_share".
 std::string full_name(const SummaryField &field)
 {
-  const bool is_list = field.place == "zones" || field.place == "positions";
+  const bool is_list = !field.place.empty() && field.place.back() != '_';
   return field.place + (is_list ? "[]." : "") + field.name;
 }
 } // namespace

@@ -8,6 +8,26 @@
 
 namespace ricochet
 {
+namespace
+{
+/// Lines on the second projectile and the others.
+std::string describe_further(const nlohmann::ordered_json &summary)
+{
+  std::string lines;
+  if (const auto all = summary.find("projectiles"); all != summary.end())
+    for (std::size_t i = 1; i < all->size(); ++i)
+    {
+      const auto &one    = (*all)[i];
+      const auto measure = [&](const char *key)
+      { return one[key].is_number() ? with_precision(one[key].get<double>(), 3) : "nan"; };
+      lines += "\nprojectile " + std::to_string(i + 1) + " " + one["outcome"].get<std::string>() +
+               ": " + one["reason"].get<std::string>() + "; " + measure("exit_speed_m_s") +
+               " m/s at " + measure("exit_angle_deg") + " deg, path " + measure("path_mm") + " mm";
+    }
+  return lines;
+}
+} // namespace
+
 std::string describe_run(const nlohmann::ordered_json &summary)
 {
   // What could not be computed is null.
@@ -25,7 +45,8 @@ std::string describe_run(const nlohmann::ordered_json &summary)
          (has_left ? "\nexit        " : "\nlast        ") + measure("exit_speed_m_s") + " m/s at " +
          rounded("exit_angle_deg", 1) + " deg to the plate, pitch " + rounded("pitch_deg", 1) +
          " deg, after " + measure("time_us") + " us; " + depth + "path " + measure("path_mm") +
-         " mm\nbalance     energy residual " + with_decimals(100. * number("energy_residual"), 2) +
+         " mm" + describe_further(summary) + "\nbalance     energy residual " +
+         with_decimals(100. * number("energy_residual"), 2) +
          " % of the impact energy, momentum drift " + power("momentum_drift") +
          ", angular momentum drift " + power("angular_momentum_drift") + "\ncost        " +
          rounded("points", 0) + " points, " + rounded("steps", 0) + " steps, " +

@@ -27,13 +27,16 @@ std::string at(const double time)
 void RunWarnings::update(const Simulation &simulation)
 {
   check_depth(simulation);
-  check_elements(simulation);
+  for (std::size_t i = 0; i < simulation.n_projectiles(); ++i)
+    check_elements(simulation, i);
+  check_projectiles(simulation);
 }
 
 void RunWarnings::check_depth(const Simulation &simulation)
 {
   const double before = deepest_;
-  deepest_            = std::max(deepest_, simulation.reaction().deepest_in_spacings);
+  for (std::size_t i = 0; i < simulation.n_projectiles(); ++i)
+    deepest_ = std::max(deepest_, simulation.reaction(i).deepest_in_spacings);
   if (deepest_ > deep && before <= deep)
     warn(communicator_,
          at(simulation.time()) + "points lie " + with_decimals(deepest_, 2) +
@@ -41,19 +44,39 @@ void RunWarnings::check_depth(const Simulation &simulation)
              "for this impact. Raise 'Contact/Stiffness factor' or lower 'Time/Safety factor'.");
 }
 
-void RunWarnings::check_elements(const Simulation &simulation)
+void RunWarnings::check_elements(const Simulation &simulation, const std::size_t projectile)
 {
-  if (!simulation.reaction().on_elements || on_elements_since_ >= 0.)
+  if (!simulation.reaction(projectile).on_elements || on_elements_since_ >= 0.)
     return;
   on_elements_since_ = simulation.time();
   if (simulation.scene().zone.kind == ZoneKind::none) // who wants elements alone knows
     return;
   warn(communicator_,
        at(on_elements_since_) + "the projectile, at x = " +
-           with_decimals(simulation.projectile().motion().position.x() / mm, 0) +
+           with_decimals(simulation.projectile(projectile).motion().position.x() / mm, 0) +
            " mm, touches finite elements, which do not break: the peridynamic zone ends too early, "
            "and what follows is not to be trusted. Set 'Coupling/Adaptive = true', or enlarge the "
            "zone.");
+}
+
+/// Boxes along the axes: who lies beside another at a slant may be named although there is room.
+void RunWarnings::check_projectiles(const Simulation &simulation)
+{
+  for (std::size_t i = 1; i < simulation.n_projectiles() && !projectiles_meet_; ++i)
+    for (std::size_t j = 0; j < i && !projectiles_meet_; ++j)
+    {
+      const auto a = simulation.projectile(i).bounding_box(),
+                 b = simulation.projectile(j).bounding_box();
+      if ((a.first.array() > b.second.array()).any() || (b.first.array() > a.second.array()).any())
+        continue;
+      projectiles_meet_ = true;
+      warn(communicator_, at(simulation.time()) + "the boxes around projectiles " +
+                              std::to_string(j + 1) + " and " + std::to_string(i + 1) +
+                              " overlap. Projectiles do not touch each other: if they meet, they "
+                              "pass through each other, and what follows is not to be trusted. "
+                              "Move 'Impact " +
+                              std::to_string(i + 1) + "/Entry point'.");
+    }
 }
 
 void RunWarnings::update(const Moment &moment)
@@ -77,6 +100,7 @@ void RunWarnings::exchange_state(StateArchive &archive)
   const StateArchive::Group group(archive, "warnings");
   archive.common("deepest", deepest_);
   archive.common("on elements since", on_elements_since_);
+  archive.common("projectiles meet", projectiles_meet_);
   hourglass_.exchange_state(archive);
 }
 } // namespace ricochet

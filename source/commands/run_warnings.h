@@ -20,17 +20,19 @@ public:
   void exchange_state(StateArchive &archive);
 
   double deepest() const { return deepest_; } // penetration of a point so far [dx]
-  /// Since when the projectile has touched finite elements; negative: never [s].
+  /// Since when a projectile has touched finite elements; negative: never [s].
   double on_elements_since() const { return on_elements_since_; }
   /// The largest so far.
   const HourglassShare &hourglass() const { return hourglass_.largest(); }
 
 private:
   void check_depth(const Simulation &simulation);
-  void check_elements(const Simulation &simulation);
+  void check_elements(const Simulation &simulation, std::size_t projectile);
+  void check_projectiles(const Simulation &simulation);
 
   MPI_Comm communicator_;
   double deepest_ = 0., on_elements_since_ = -1.;
+  bool projectiles_meet_ = false;
   HourglassWatch hourglass_;
 };
 } // namespace ricochet

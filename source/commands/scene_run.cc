@@ -11,14 +11,16 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 namespace ricochet
 {
 namespace
 {
-std::vector<History::Column> names_and_units()
+std::vector<History::Column> names_and_units(const std::size_t n_projectiles)
 {
   std::vector<History::Column> columns;
-  for (const auto &column : history_columns())
+  for (const auto &column : history_columns(n_projectiles))
     columns.push_back({column.name, column.unit});
   return columns;
 }
@@ -39,12 +41,15 @@ SceneRun::SceneRun(const MPI_Comm communicator, Simulation &simulation,
                    const std::string &parameters) :
   communicator_(communicator),
   options_(options), simulation_(simulation), scene_(simulation.scene()),
-  watch_(watch_of(simulation)), damage_(communicator, simulation), warnings_(communicator),
-  directory_(scene_.output.directory), history_(communicator, directory_, names_and_units()),
+  damage_(communicator, simulation), warnings_(communicator), directory_(scene_.output.directory),
+  history_(communicator, directory_, names_and_units(simulation.n_projectiles())),
   frames_(communicator, directory_, scene_.output.vtu),
   checkpoints_(communicator, scene_.output, parameters),
   records_due_(scene_.output.history_interval), frames_due_(scene_.output.frame_interval)
 {
+  for (std::size_t i = 0; i < simulation.n_projectiles(); ++i)
+    watches_.push_back(watch_of(simulation, i));
+  notes_.further_positions.resize(watches_.size() - 1, nlohmann::ordered_json::array());
   notes_.directory     = directory_.string();
   notes_.version       = version();
   notes_.n_ranks       = size_of(communicator);
@@ -58,22 +63,29 @@ void SceneRun::exchange_state(StateArchive &archive)
 {
   simulation_.exchange_state(archive);
   const StateArchive::Group group(archive, "run");
-  watch_.exchange_state(archive);
+  for (std::size_t i = 0; i < watches_.size(); ++i)
+  {
+    const StateArchive::Group projectile(archive, "projectile " + std::to_string(i + 1));
+    watches_[i].exchange_state(archive);
+  }
   warnings_.exchange_state(archive);
   history_.exchange_state(archive);
   frames_.exchange_state(archive);
   records_due_.exchange_state(archive, "next record");
   frames_due_.exchange_state(archive, "next frame");
   archive.common("totals", totals_);
-  auto positions      = notes_.positions.dump();
+  nlohmann::ordered_json all_positions{notes_.positions, notes_.further_positions};
+  auto positions      = all_positions.dump();
   double core_seconds = earlier_core_seconds_ + cpu_seconds(communicator_);
   archive.common("positions", positions);
   archive.common("core seconds", core_seconds);
   if (!archive.is_restoring())
     return;
-  notes_.positions      = nlohmann::ordered_json::parse(positions);
-  earlier_core_seconds_ = core_seconds;
-  first_step_           = simulation_.step();
+  all_positions            = nlohmann::ordered_json::parse(positions);
+  notes_.positions         = all_positions[0];
+  notes_.further_positions = all_positions[1].get<std::vector<nlohmann::ordered_json>>();
+  earlier_core_seconds_    = core_seconds;
+  first_step_              = simulation_.step();
   checkpoints_.begin_at(simulation_.time());
 }
 
@@ -89,11 +101,12 @@ nlohmann::ordered_json SceneRun::operator()(const double start_cpu_seconds)
     // What there is stays usable: close the history and say what happened.
     progress.finish();
     notes_.failed = true;
-    finish({Outcome::undecided, ExitFace::none, 0, error.what()}, start_cpu_seconds);
+    verdicts_.assign(watches_.size(), {Outcome::undecided, ExitFace::none, 0, error.what()});
+    finish(start_cpu_seconds);
     throw;
   }
   progress.finish();
-  return finish(verdict_, start_cpu_seconds);
+  return finish(start_cpu_seconds);
 }
 
 void SceneRun::loop(Progress &progress)
@@ -107,21 +120,21 @@ void SceneRun::loop(Progress &progress)
     const bool frame_due =
         picture_due || frames_due_.is_due(time) || (last && scene_.output.frame_interval > 0.);
     simulation_.compute_forces(record_due);
-    watch_.update(observe(simulation_));
+    for (std::size_t i = 0; i < watches_.size(); ++i)
+      watches_[i].update(observe(simulation_, i));
     warnings_.update(simulation_);
     if (record_due)
       record();
     if (frame_due)
       write_frame();
     if (picture_due)
-      notes_.positions.push_back(
-          sighting(simulation_, watch_, scene_.output.picture_times[notes_.positions.size()]));
+      note_positions();
     show(progress);
     if (last)
     {
       // A decision that ended the run stands, whatever the last step has brought.
       if (!decided_)
-        verdict_ = watch_.verdict(stop_reason_);
+        judge();
       return;
     }
 
@@ -145,10 +158,28 @@ bool SceneRun::must_stop(const Interruption::Wishes &wishes)
   notes_.interrupted = !stop_reason_.empty();
   if (stop_reason_.empty() && simulation_.time() >= scene_.time.end_time)
     stop_reason_ = "the final time was reached";
-  decided_ = scene_.time.stop_early && watch_.decided();
+  decided_ = scene_.time.stop_early &&
+             std::all_of(watches_.begin(), watches_.end(),
+                         [](const OutcomeWatch &watch) { return watch.decided(); });
   if (decided_)
-    verdict_ = watch_.verdict(stop_reason_);
+    judge();
   return decided_ || !stop_reason_.empty();
+}
+
+/// Every projectile as it is now.
+void SceneRun::judge()
+{
+  verdicts_.clear();
+  for (const auto &watch : watches_)
+    verdicts_.push_back(watch.verdict(stop_reason_));
+}
+
+void SceneRun::note_positions()
+{
+  const double stated_time = scene_.output.picture_times[notes_.positions.size()];
+  notes_.positions.push_back(sighting(simulation_, watches_[0], stated_time));
+  for (std::size_t i = 1; i < watches_.size(); ++i)
+    notes_.further_positions[i - 1].push_back(sighting(simulation_, watches_[i], stated_time, i));
 }
 
 /// Before the last record, which a run that goes on does not make.
@@ -203,15 +234,17 @@ void SceneRun::show(Progress &progress) const
                    totals_.relative_residual(), bond_rate()});
 }
 
-nlohmann::ordered_json SceneRun::finish(const OutcomeVerdict &verdict,
-                                        const double start_cpu_seconds)
+nlohmann::ordered_json SceneRun::finish(const double start_cpu_seconds)
 {
   notes_.core_seconds      = earlier_core_seconds_ + cpu_seconds(communicator_) - start_cpu_seconds;
   notes_.bond_rate         = bond_rate();
   notes_.deepest           = warnings_.deepest();
   notes_.on_elements_since = warnings_.on_elements_since();
   notes_.hourglass         = warnings_.hourglass();
-  auto summary = run_summary({simulation_, watch_, verdict, totals_, notes_}, damage_.plates());
+  RunEnd end{simulation_, watches_[0], verdicts_[0], totals_, notes_};
+  for (std::size_t i = 1; i < watches_.size(); ++i)
+    end.further.push_back({watches_[i], verdicts_[i]});
+  auto summary = run_summary(end, damage_.plates());
   write_summary(communicator_, directory_, summary);
   write_damage_maps(communicator_, directory_, damage_.maps());
   history_.close();

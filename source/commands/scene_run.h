@@ -58,19 +58,21 @@ public:
 private:
   void loop(Progress &progress);
   bool must_stop(const Interruption::Wishes &wishes);
+  void judge();
+  void note_positions();
   void keep_checkpoint(const Interruption::Wishes &wishes, bool stops);
   void record();
   bool is_picture_due() const;
   void write_frame();
   double bond_rate() const;
   void show(Progress &progress) const;
-  nlohmann::ordered_json finish(const OutcomeVerdict &verdict, double start_cpu_seconds);
+  nlohmann::ordered_json finish(double start_cpu_seconds);
 
   MPI_Comm communicator_;
   RunOptions options_;
   Simulation &simulation_;
   const Scene &scene_;
-  OutcomeWatch watch_;
+  std::vector<OutcomeWatch> watches_; // of each projectile
   DamageReport damage_;
   RunWarnings warnings_;
   std::filesystem::path directory_;
@@ -83,8 +85,8 @@ private:
   double earlier_core_seconds_ = 0.; // before a resume [s]
   long first_step_             = 0;  // of this process
   std::string stop_reason_;
-  bool decided_ = false; // and therefore at an end
-  OutcomeVerdict verdict_;
+  bool decided_ = false;                 // and therefore at an end
+  std::vector<OutcomeVerdict> verdicts_; // of each, at the end
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 } // namespace ricochet

@@ -39,7 +39,7 @@ const std::vector<FrameField> fields{
      "deformation; hourglass modes not included"},
     {"body", "-", 1, [](Points p, Number i, Axis) { return double(p.body[i]); },
      [](Elements e, Number i, Axis) { return double(e.body[i]); },
-     "number of the plate, from 1; 0 is the projectile"}};
+     "number of the plate, from 1; 0 is the projectile, -1, -2 and so on are further ones"}};
 } // namespace
 
 const std::vector<FrameField> &frame_fields()

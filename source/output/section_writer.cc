@@ -94,6 +94,9 @@ void SectionWriter::write(const unsigned int number, const double time, const Po
                   frame.add("von_mises", state[1], 1, "Pa");
                   frame.add("energy_density", state[2], 1, "J/m3");
                   frame.add("outline", flattened(surface.outline), 3, "m");
+                  for (std::size_t i = 0; i < surface.further_outlines.size(); ++i)
+                    frame.add("outline " + std::to_string(i + 2),
+                              flattened(surface.further_outlines[i]), 3, "m");
                   frame.save(directory_ / "section" / (frame_name(number) + ".h5"));
 
                   Hdf5File index;

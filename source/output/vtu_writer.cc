@@ -104,8 +104,11 @@ std::vector<dealii::DataOutBase::Patch<2, 3>> patches_of(const SurfaceFrame &sur
     patch.n_subdivisions = 1;
     patch.reference_cell =
         dealii::ReferenceCells::Quadrilateral; // by default none, and no cell would be written
-    patch.data.reinit(
-        1, 4); // body 0, so that colouring by body works for plates and projectile together
+    // Body 0, so that colouring by body works for plates and projectile together.
+    patch.data.reinit(1, 4);
+    if (!surface.body.empty())
+      for (unsigned int v = 0; v < 4; ++v)
+        patch.data(0, v) = surface.body[i];
   }
   return patches;
 }

@@ -153,7 +153,7 @@ void RigidProjectile::exchange_contact_state(StateArchive &archive,
 {
   for (std::size_t i = 0; i < plates.size(); ++i)
   {
-    const StateArchive::Group group(archive, "projectile on plate " + std::to_string(i + 1));
+    const StateArchive::Group group(archive, "on plate " + std::to_string(i + 1));
     contacts_[i].exchange_state(archive, *plates[i]);
   }
 }

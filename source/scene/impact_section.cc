@@ -33,9 +33,11 @@ void check_entry_point(const ImpactParameters &impact, const Scene &scene, const
 }
 } // namespace
 
-Section impact_section(ImpactParameters &impact, const Scene &scene)
+Section impact_section(ImpactParameters &impact, const unsigned int number, const Scene &scene)
 {
-  Section in("Impact", "How the projectile arrives.");
+  Section in(number == 1 ? "Impact" : "Impact " + std::to_string(number),
+             number == 1 ? "How the projectile arrives."
+                         : "How projectile " + std::to_string(number) + " arrives.");
   in.required("Speed", quantity(impact.speed, Dimension::speed, Limit::positive), "720 m/s",
               "Speed of the projectile before the impact");
   const Entry &incidence = in.required(

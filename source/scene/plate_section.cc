@@ -21,7 +21,8 @@ struct PlateEntries
   std::array<std::array<double, 4>, 2> boxes = {};
   std::array<const Entry *, 2> box           = {};
   const Entry *size = nullptr, *spacing = nullptr, *horizon = nullptr, *material = nullptr,
-              *gap = nullptr, *absorbing = nullptr, *clamp_width = nullptr;
+              *gap = nullptr, *absorbing = nullptr, *clamp_width = nullptr,
+              *joint_tension = nullptr, *joint_shear = nullptr;
 
   void read_zone_boxes() const;
   void check_edges() const;
@@ -29,6 +30,7 @@ struct PlateEntries
   void check_number_of_points() const;
   void check_clamps() const;
   void check_gap() const;
+  void check_joint() const;
   void check_material() const;
 };
 
@@ -125,6 +127,35 @@ void PlateEntries::check_gap() const
               "Remove the line; the gap belongs to the lower plate.");
 }
 
+void PlateEntries::check_joint() const
+{
+  if (joint_shear->is_given() && !plate.has_joint())
+    joint_shear->fail("This plate is not joined to the one above.",
+                      "Give an 'Joint strength', too, or leave this entry out.");
+  if (!plate.has_joint())
+    return;
+  if (&plate == &scene.plates.front())
+    joint_tension->fail("There is no plate above the first one.",
+                        "Remove the line; the joint belongs to the lower plate.");
+  if (plate.gap != 0.)
+    joint_tension->fail("Plates that are joined lie on each other; there is a gap of " +
+                            in_mm(plate.gap) + ".",
+                        "Remove the gap, or this entry.");
+  if (scene.zone.has_elements())
+    joint_tension->fail("Only plates that are peridynamic throughout can be joined.",
+                        "Choose 'set Zone = everything' in the section 'Coupling', or leave "
+                        "this entry out.");
+  const PlateParameters &above = *(&plate - 1); // plates are one list
+  const auto differ = [](const double a, const double b) { return std::abs(a - b) > 1e-9 * a; };
+  if (differ(plate.length, above.length) || differ(plate.width, above.width) ||
+      differ(plate.spacing, above.spacing) || differ(plate.horizon_ratio, above.horizon_ratio))
+    joint_tension->fail("Plates that are joined lie point on point; the one above is " +
+                            in_mm(above.length) + " long, " + in_mm(above.width) +
+                            " wide, with a grid spacing of " + in_mm(above.spacing) +
+                            " and a horizon of " + number_text(above.horizon_ratio) + " spacings.",
+                        "Give both the same length, width, 'Grid spacing' and 'Horizon ratio'.");
+}
+
 void PlateEntries::check_material() const
 {
   std::vector<std::string> names;
@@ -158,6 +189,18 @@ void add_zone_entries(Section &in, PlateEntries &rows)
       "plate; finite elements must carry these faces");
 }
 
+/// What ties it to the plate above.
+void add_joint_entries(Section &in, PlateEntries &rows)
+{
+  rows.joint_tension = &in.optional(
+      "Joint strength", quantity(rows.plate.joint_tension, Dimension::stress, Limit::positive),
+      "20 MPa",
+      "Tensile stress at which the joint to the plate above breaks; without it the two only touch");
+  rows.joint_shear = &in.optional(
+      "Joint shear strength", quantity(rows.plate.joint_shear, Dimension::stress, Limit::positive),
+      "30 MPa", "Shear stress at which it breaks; without it the same as under tension");
+}
+
 /// What holds the plate.
 void add_support_entries(Section &in, PlateEntries &rows)
 {
@@ -176,9 +219,9 @@ void add_support_entries(Section &in, PlateEntries &rows)
 }
 } // namespace
 
-unsigned int plate_number(const std::string &section)
+unsigned int number_in(const std::string &section, const std::string &kind)
 {
-  const std::string prefix = "Plate ";
+  const std::string prefix = kind + " ";
   const std::string digits = section.substr(std::min(prefix.size(), section.size()));
   if (section.rfind(prefix, 0) != 0 || digits.empty() || digits.size() > 4 || digits[0] == '0' ||
       digits.find_first_not_of("0123456789") != std::string::npos)
@@ -211,6 +254,7 @@ Section plate_section(PlateParameters &plate, const unsigned int number, const S
   rows->gap = &in.with_default("Gap", quantity(plate.gap, Dimension::length, Limit::not_negative),
                                "0 mm", "Distance to the plate above; 0 for the first plate");
   add_zone_entries(in, *rows);
+  add_joint_entries(in, *rows);
   add_support_entries(in, *rows);
   rows->cutouts.add_to(in);
 
@@ -229,6 +273,7 @@ Section plate_section(PlateParameters &plate, const unsigned int number, const S
         rows->check_clamps();
         rows->cutouts.check_with_others();
         rows->check_gap();
+        rows->check_joint();
         rows->check_material();
       });
   return in;

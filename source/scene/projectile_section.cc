@@ -86,8 +86,8 @@ void ProjectileEntries::read_shape_and_mass() const
   {
     throw InputError((nose_length->is_given() ? nose_length : length)->origin() + ": " +
                      error.what() +
-                     "\n  Change the shape, the diameter or the lengths in the section "
-                     "'Projectile'.");
+                     "\n  Change the shape, the diameter or the lengths in the section " +
+                     in_quotes(nose->section) + ".");
   }
 }
 
@@ -112,10 +112,10 @@ void ProjectileEntries::read_peridynamic_length() const
     projectile.peridynamic_length = shape.nose_length;
   if (projectile.peridynamic_length < shape.nose_length ||
       projectile.peridynamic_length >= shape.length)
-    peridynamic_length->fail("The finite elements begin behind the nose of " +
-                                 in_mm_all(shape.nose_length) + " and before the base at " +
-                                 in_mm_all(shape.length) + ".",
-                             "Choose a length between the two, or another 'Projectile/Model'.");
+    peridynamic_length->fail(
+        "The finite elements begin behind the nose of " + in_mm_all(shape.nose_length) +
+            " and before the base at " + in_mm_all(shape.length) + ".",
+        "Choose a length between the two, or another " + in_quotes(model->path()) + ".");
 }
 
 /// Names of files are relative to the parameter file that gives them.
@@ -231,9 +231,12 @@ void add_mesh_entries(Section &in, ProjectileEntries &rows)
 }
 } // namespace
 
-Section projectile_section(ProjectileParameters &projectile)
+Section projectile_section(ProjectileParameters &projectile, const unsigned int number)
 {
-  Section in("Projectile", "The projectile: a body of revolution.");
+  Section in(number == 1 ? "Projectile" : "Projectile " + std::to_string(number),
+             number == 1 ? "The projectile: a body of revolution. Further ones have sections "
+                           "Projectile 2 and Impact 2, and so on, with the same entries."
+                         : "Projectile " + std::to_string(number) + ": a body of revolution.");
   const auto rows = std::make_shared<ProjectileEntries>(ProjectileEntries{projectile});
   add_shape_entries(in, *rows);
   add_material_entries(in, *rows);

@@ -13,16 +13,21 @@ namespace ricochet
 /// The entries outside the sections; stem: name of the parameter file without folder and ending.
 Section top_section(Scene &scene, const std::string &stem);
 
-Section projectile_section(ProjectileParameters &projectile);
+/// number: from 1, which the section of the first does not name.
+Section projectile_section(ProjectileParameters &projectile, unsigned int number);
 
-/// The scene tells where the first plate is, and whether it is mirrored.
-Section impact_section(ImpactParameters &impact, const Scene &scene);
+/// number: likewise; the scene tells where the first plate is, and whether it is mirrored.
+Section impact_section(ImpactParameters &impact, unsigned int number, const Scene &scene);
 
 /// number: from 1; the scene tells which materials there are and what the zone is.
 Section plate_section(PlateParameters &plate, unsigned int number, const Scene &scene);
 
-/// 3 for "Plate 3", 0 for a name of another form.
-unsigned int plate_number(const std::string &section);
+/// 3 for "Plate 3" and the kind "Plate", 0 for a name of another form.
+unsigned int number_in(const std::string &section, const std::string &kind);
+inline unsigned int plate_number(const std::string &section)
+{
+  return number_in(section, "Plate");
+}
 
 /// "Material PMMA" is the section of the material that has this name already.
 Section material_section(MaterialParameters &material);

@@ -114,9 +114,11 @@ std::vector<PlateDamage> DamageReport::plates() const
             n[c[2] == 0] += 1.;
         });
     MPI_Allreduce(MPI_IN_PLACE, n, 2, MPI_DOUBLE, MPI_SUM, communicator_);
-    const double area   = plate.multiplicity() * std::pow(lattice.box().spacing, 2);
-    const double broken = plate.count_sound_bonds() - plate.count_bonds();
-    damage.push_back({broken / n_bonds_everywhere_[i], area * n[0], area * n[1]});
+    const double area       = plate.multiplicity() * std::pow(lattice.box().spacing, 2);
+    const double broken     = plate.count_sound_bonds() - plate.count_bonds();
+    const auto *const joint = simulation_.joint_above(i);
+    damage.push_back({broken / n_bonds_everywhere_[i], area * n[0], area * n[1],
+                      joint != nullptr ? joint->broken_share() : -1.});
   }
   return damage;
 }

@@ -58,22 +58,23 @@ std::vector<PlatePlace> plate_places(const Simulation &simulation)
   return places;
 }
 
-Observation observe(const Simulation &simulation)
+Observation observe(const Simulation &simulation, const std::size_t projectile)
 {
-  const auto &motion = simulation.projectile().motion();
+  const auto &motion = simulation.projectile(projectile).motion();
   return {simulation.time(),
           motion.position,
           motion.velocity,
-          simulation.projectile().bounding_box(),
-          simulation.reaction().n_touching > 0.,
+          simulation.projectile(projectile).bounding_box(),
+          simulation.reaction(projectile).n_touching > 0.,
           [&simulation] { return plate_places(simulation); }};
 }
 
-OutcomeWatch watch_of(const Simulation &simulation)
+OutcomeWatch watch_of(const Simulation &simulation, const std::size_t projectile)
 {
   std::vector<PlatePlace> plates;
   for (const auto *const plate : simulation.plates())
     plates.push_back(undeformed(*plate));
-  return {plates, simulation.scene().impact.speed, simulation.scene().time.free_time};
+  const Scene &scene = simulation.scene();
+  return {plates, scene.impact_at(projectile).speed, scene.time.free_time};
 }
 } // namespace ricochet

@@ -135,11 +135,11 @@ void OutcomeWatch::update(const Observation &now)
       first_contact_ = last_motion_ = now.time;
     has_touched_ = true;
   }
-  const bool free =
-      now.time - last_contact_ >= free_time_ && face_left_behind(false) != ExitFace::none;
   if (has_touched_ && n_updates_ % steps_per_look == 0)
     look_for_rest();
-  decided_ = free || rests_;
+  const bool free = now.time - last_contact_ >= free_time_;
+  face_           = free || rests_ ? face_left_behind(false) : ExitFace::none;
+  decided_        = (free && face_ != ExitFace::none) || rests_;
 }
 
 void OutcomeWatch::look_for_rest()
@@ -169,7 +169,7 @@ OutcomeVerdict OutcomeWatch::verdict(const std::string &other_reason) const
 {
   // A run that is cut short is judged by the centre: a projectile that is on its way out has been
   // decided too.
-  const ExitFace face = face_left_behind(!decided_);
+  const ExitFace face = decided_ ? face_ : face_left_behind(true);
   if (face == ExitFace::none && decided_)
     return {Outcome::stuck, face, 0,
             "the projectile is at rest in the target (below " + with_digits(100. * rest_speed, 6) +

@@ -62,10 +62,12 @@ Plate build_plate(const MPI_Comm communicator, const Scene &scene, const std::si
   auto *const seen = points.get();
   if (zone.zone == nullptr)
     return {std::move(points), seen, nullptr, zone.reason};
+  // Contact with a deformable projectile remembers points.
+  bool all_rigid = true;
+  for (std::size_t i = 0; i < scene.n_projectiles(); ++i)
+    all_rigid = all_rigid && scene.projectile_at(i).model == ProjectileModel::rigid;
   const AdaptiveZone::Parameters growth{scene.zone.conversion_stretch * bonds.critical_stretch,
-                                        scene.zone.adaptive,
-                                        // Contact with a deformable projectile remembers points.
-                                        scene.projectile.model == ProjectileModel::rigid};
+                                        scene.zone.adaptive, all_rigid};
   auto coupled =
       std::make_unique<AdaptivePlate>(communicator, std::move(zone.zone), std::move(points),
                                       zone.options, growth, zone.growth_ahead);

@@ -64,17 +64,21 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
   result.options.hourglass_coefficient = scene.zone.hourglass_coefficient;
   result.options.coarsening_levels     = coarsening_levels(scene, plate);
 
-  const auto impact = impact_on(scene, plate, -(box.corner.z() + n[2] * box.spacing),
-                                n[2] * box.spacing, stencil.horizon);
+  const auto impacts = impacts_on(scene, plate, -(box.corner.z() + n[2] * box.spacing),
+                                  n[2] * box.spacing, stencil.horizon);
   const ZoneCells cells(scene, box);
   auto boxes = cells.boxes_of(plate);
   switch (scene.zone.kind)
   {
     case ZoneKind::automatic:
     {
-      const auto choice = scene.zone.adaptive ? entry_zone(impact) : corridor_zone(impact);
-      result.reason     = "automatic: " + choice.reason;
-      boxes             = {cells.of(choice)};
+      boxes.clear();
+      for (const auto &impact : impacts)
+      {
+        const auto choice = scene.zone.adaptive ? entry_zone(impact) : corridor_zone(impact);
+        result.reason += (boxes.empty() ? "automatic: " : "; ") + choice.reason;
+        boxes.push_back(cells.of(choice));
+      }
       break;
     }
     case ZoneKind::boxes:
@@ -98,8 +102,11 @@ PlateZone plate_zone(const Scene &scene, const PlateParameters &plate, const Lat
     limit = {{0, 0, 0}, result.zone->n_cells()};
   else if (scene.zone.adaptive)
   {
-    limit               = hull({limit, cells.widest(impact)});
-    result.growth_ahead = growth_ahead(impact);
+    limit               = hull({limit, cells.widest(impacts)});
+    // Ahead of the one that has got farthest; the others' damage comes behind that.
+    result.growth_ahead = growth_ahead(impacts.front());
+    for (const auto &impact : impacts)
+      result.growth_ahead = std::max(result.growth_ahead, growth_ahead(impact));
   }
   if (plate.absorbing_edges && scene.zone.adaptive)
     limit = off_the_edges(limit, *result.zone, box.mirror_y);

@@ -14,10 +14,14 @@ namespace
 using namespace units;
 using Json = nlohmann::ordered_json;
 
-RigidBody::Motion motion(const Simulation &simulation)
+/// One projectile at the end.
+struct OneEnd
 {
-  return simulation.present_motion();
-}
+  const Simulation &simulation;
+  std::size_t number; // from 0
+  const OutcomeWatch &watch;
+  const OutcomeVerdict &verdict;
+};
 
 /// Of the path against the plates, upwards is positive [deg].
 double climb(const Vector3 &velocity)
@@ -31,29 +35,40 @@ struct Sighting
   const Simulation &simulation;
   const OutcomeWatch &watch;
   double stated_time; // [s]
+  std::size_t number; // of the projectile, from 0
 };
+
+/// Of the projectile that is meant.
+template <class Seen>
+RigidBody::Motion motion(const Seen &seen)
+{
+  return seen.simulation.present_motion(seen.number);
+}
+
+template <class Seen>
+double pitch(const Seen &seen)
+{
+  return seen.simulation.projectile(seen.number).pitch();
+}
 
 const std::vector<SummaryRow<Sighting>> position_rows{
     {"stated_us", "us", [](const Sighting &s) -> Json { return s.stated_time / us; },
      "from Output/Picture times"},
     {"time_us", "us", [](const Sighting &s) -> Json { return s.simulation.time() / us; },
      "of the first step that is not before it, to which the others belong"},
-    {"x_mm", "mm", [](const Sighting &s) -> Json { return motion(s.simulation).position.x() / mm; },
+    {"x_mm", "mm", [](const Sighting &s) -> Json { return motion(s).position.x() / mm; },
      "centroid of the projectile"},
-    {"y_mm", "mm", [](const Sighting &s) -> Json { return motion(s.simulation).position.y() / mm; },
+    {"y_mm", "mm", [](const Sighting &s) -> Json { return motion(s).position.y() / mm; },
      "centroid of the projectile"},
-    {"z_mm", "mm", [](const Sighting &s) -> Json { return motion(s.simulation).position.z() / mm; },
+    {"z_mm", "mm", [](const Sighting &s) -> Json { return motion(s).position.z() / mm; },
      "centroid of the projectile"},
     {"path_mm", "mm", [](const Sighting &s) -> Json { return s.watch.path() / mm; },
      "length of the centroid's path so far"},
-    {"speed_m_s", "m/s",
-     [](const Sighting &s) -> Json { return motion(s.simulation).velocity.norm(); },
+    {"speed_m_s", "m/s", [](const Sighting &s) -> Json { return motion(s).velocity.norm(); },
      "of the centroid"},
-    {"pitch_deg", "deg",
-     [](const Sighting &s) -> Json { return s.simulation.projectile().pitch() / deg; },
+    {"pitch_deg", "deg", [](const Sighting &s) -> Json { return pitch(s) / deg; },
      "of the axis against the plates, nose up is positive"},
-    {"angle_deg", "deg",
-     [](const Sighting &s) -> Json { return climb(motion(s.simulation).velocity); },
+    {"angle_deg", "deg", [](const Sighting &s) -> Json { return climb(motion(s).velocity); },
      "of the velocity against the plates, upwards is positive"}};
 
 /// Per plate, x from and to, y from and to, z from and to.
@@ -79,7 +94,7 @@ double drift(const Vector3 &now, const Vector3 &start)
   return (now - start).norm() / start.norm();
 }
 
-Json max_depth(const RunEnd &end)
+Json max_depth(const OneEnd &end)
 {
   if (end.verdict.exit_face == ExitFace::rear)
     return nullptr;
@@ -87,33 +102,39 @@ Json max_depth(const RunEnd &end)
 }
 
 using E = const RunEnd &;
+using O = const OneEnd &;
 
-const std::vector<SummaryRow<RunEnd>> rows{
+const std::vector<SummaryRow<RunEnd>> names{
     {"title", "", [](E e) -> Json { return e.simulation.scene().title; }, "of the scene"},
-    {"directory", "", [](E e) -> Json { return e.notes.directory; }, "of the results"},
-    {"outcome", "", [](E e) -> Json { return name_of(e.verdict.outcome); },
+    {"directory", "", [](E e) -> Json { return e.notes.directory; }, "of the results"}};
+
+/// Of one projectile, those of the first stand at the top.
+const std::vector<SummaryRow<OneEnd>> projectile_rows{
+    {"outcome", "", [](O e) -> Json { return name_of(e.verdict.outcome); },
      "ricochet, perforate, edge, pushed, stuck or undecided"},
-    {"reason", "", [](E e) -> Json { return e.verdict.reason; }, "why the run ended"},
-    {"exit_face", "", [](E e) -> Json { return name_of(e.verdict.exit_face); },
+    {"reason", "", [](O e) -> Json { return e.verdict.reason; }, "why the run ended"},
+    {"exit_face", "", [](O e) -> Json { return name_of(e.verdict.exit_face); },
      "front, rear, edge or none"},
-    {"exit_plate", "-", [](E e) -> Json { return e.verdict.exit_plate; },
+    {"exit_plate", "-", [](O e) -> Json { return e.verdict.exit_plate; },
      "whose face or edge that is, from 1; 0 if the projectile has not left"},
-    {"exit_speed_m_s", "m/s", [](E e) -> Json { return motion(e.simulation).velocity.norm(); },
+    {"exit_speed_m_s", "m/s", [](O e) -> Json { return motion(e).velocity.norm(); },
      "of the projectile's centroid at the end"},
-    {"exit_angle_deg", "deg", [](E e) -> Json { return climb(motion(e.simulation).velocity); },
+    {"exit_angle_deg", "deg", [](O e) -> Json { return climb(motion(e).velocity); },
      "of the velocity against the plates, upwards is positive"},
-    {"pitch_deg", "deg", [](E e) -> Json { return e.simulation.projectile().pitch() / deg; },
+    {"pitch_deg", "deg", [](O e) -> Json { return pitch(e) / deg; },
      "of the projectile's axis against the plates, seen from the side: nose up is positive, "
      "counted "
      "on beyond a quarter turn"},
-    {"max_depth_mm", "mm", [](E e) { return max_depth(e); },
+    {"max_depth_mm", "mm", [](O e) { return max_depth(e); },
      "largest depth of the projectile's lowest point below the undeformed front face while it "
      "touched "
      "something; null after a perforation, which has none"},
-    {"path_mm", "mm", [](E e) -> Json { return e.watch.path() / mm; },
+    {"path_mm", "mm", [](O e) -> Json { return e.watch.path() / mm; },
      "length of the centroid's path"},
-    {"contact_duration_us", "us", [](E e) -> Json { return e.watch.contact_duration() / us; },
-     "from the first to the last touch, debris included"},
+    {"contact_duration_us", "us", [](O e) -> Json { return e.watch.contact_duration() / us; },
+     "from the first to the last touch, debris included"}};
+
+const std::vector<SummaryRow<RunEnd>> rows{
     {"time_us", "us", [](E e) -> Json { return e.simulation.time() / us; }, "at the end"},
     {"energy_residual", "-", [](E e) -> Json { return e.totals.relative_residual(); },
      "what the balance does not account for, as a share of the initial energy, at the last record"},
@@ -129,9 +150,9 @@ const std::vector<SummaryRow<RunEnd>> rows{
      { return drift(e.simulation.momenta().angular, e.notes.start_momenta.angular); },
      "the same of the angular momentum about the origin"},
     {"deepest_penetration_dx", "-", [](E e) -> Json { return e.notes.deepest; },
-     "of a point into the projectile, in grid spacings; contact is too soft above 0.5"},
+     "of a point into a projectile, in grid spacings; contact is too soft above 0.5"},
     {"on_elements_us", "us", [](E e) -> Json { return in_us_or_null(e.notes.on_elements_since); },
-     "when the projectile first touched finite elements, which do not break; null: never"},
+     "when a projectile first touched finite elements, which do not break; null: never"},
     {"hourglass_share", "-",
      [](E e) -> Json
      { return e.notes.hourglass.time < 0. ? Json() : Json(e.notes.hourglass.share); },
@@ -191,23 +212,49 @@ const std::vector<SummaryRow<PlateDamage>> damage_rows{
      "area of the points of its front face that have lost more than a quarter of their bonds"},
     {"rear_damaged_mm2", "mm2",
      [](const PlateDamage &d) -> Json { return d.rear_area / (mm * mm); },
-     "the same of its rear face"}};
+     "the same of its rear face"},
+    {"joint_broken_share", "-",
+     [](const PlateDamage &d) -> Json
+     { return d.joint_broken_share >= 0. ? Json(d.joint_broken_share) : left_out(); },
+     "of its joint to the plate above, what has broken; there if the two have one"}};
+
+/// All projectiles, if there are several.
+Json projectiles_of(const RunEnd &end)
+{
+  auto list = Json::array();
+  for (std::size_t i = 0; i <= end.further.size(); ++i)
+  {
+    const auto &watch     = i == 0 ? end.watch : end.further[i - 1].watch;
+    const auto &verdict   = i == 0 ? end.verdict : end.further[i - 1].verdict;
+    const auto &positions = i == 0 ? end.notes.positions : end.notes.further_positions[i - 1];
+    list.push_back(object_of(projectile_rows, OneEnd{end.simulation, i, watch, verdict}));
+    if (!positions.empty())
+      list.back()["positions"] = positions;
+  }
+  return list;
+}
 } // namespace
 
 std::vector<SummaryField> summary_fields()
 {
   std::vector<SummaryField> fields;
+  append(fields, "", names);
+  append(fields, "", projectile_rows);
   append(fields, "", rows);
   append(fields, "plate_N_", size_rows);
   append(fields, "plate_N_", damage_rows);
   append_zone_fields(fields, "zones");
   append(fields, "positions", position_rows);
+  append(fields, "projectiles", projectile_rows);
+  append(fields, "projectiles[].positions", position_rows);
   return fields;
 }
 
 Json run_summary(const RunEnd &end, const std::vector<PlateDamage> &damage)
 {
-  Json summary      = object_of(rows, end);
+  Json summary = object_of(names, end);
+  summary.update(object_of(projectile_rows, OneEnd{end.simulation, 0, end.watch, end.verdict}));
+  summary.update(object_of(rows, end));
   const auto prefix = [](const std::size_t i) { return "plate_" + std::to_string(i + 1) + "_"; };
   const auto sizes  = plate_sizes(end.simulation.scene());
   for (std::size_t i = 0; i < sizes.size(); ++i)
@@ -218,11 +265,14 @@ Json run_summary(const RunEnd &end, const std::vector<PlateDamage> &damage)
   }
   if (!end.notes.positions.empty())
     summary["positions"] = end.notes.positions;
+  if (!end.further.empty())
+    summary["projectiles"] = projectiles_of(end);
   return summary;
 }
 
-Json sighting(const Simulation &simulation, const OutcomeWatch &watch, const double stated_time)
+Json sighting(const Simulation &simulation, const OutcomeWatch &watch, const double stated_time,
+              const std::size_t projectile)
 {
-  return object_of(position_rows, Sighting{simulation, watch, stated_time});
+  return object_of(position_rows, Sighting{simulation, watch, stated_time, projectile});
 }
 } // namespace ricochet

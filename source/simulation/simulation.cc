@@ -2,11 +2,9 @@
 #include "ricochet/simulation/simulation.h"
 
 #include "plate_builder.h"
-#include "ricochet/base/exceptions.h"
 #include "ricochet/contact/friction_laws.h"
 
-#include <cmath>
-#include <sstream>
+#include <limits>
 
 namespace ricochet
 {
@@ -21,16 +19,23 @@ double youngs_modulus(const PeridynamicMaterial &m)
 Simulation::Simulation(const MPI_Comm communicator, const Scene &scene) :
   communicator_(communicator), scene_(scene), plates_(build_plates(communicator, scene))
 {
-  build_projectile();
+  build_projectiles();
   build_contact();
+  build_joints();
   build_supports();
   choose_time_step();
   std::vector<Body *> bodies;
   for (const auto &plate : plates_)
     bodies.push_back(plate.body.get());
-  bodies.push_back(projectile_.get());
-  // Friction of the projectile must know what else moves the points, supports what pulls at them.
-  std::vector<Interaction *> interactions{short_range_contact_.get(), projectile_contact_.get()};
+  for (const auto &projectile : projectiles_)
+    bodies.push_back(projectile.get());
+  // Friction of a projectile must know what else moves the points, supports what pulls at them.
+  std::vector<Interaction *> interactions{short_range_contact_.get()};
+  for (const auto &joint : joints_)
+    if (joint != nullptr)
+      interactions.push_back(joint.get());
+  for (const auto &contact : projectile_contacts_)
+    interactions.push_back(contact.get());
   for (const auto &support : supports_)
     interactions.push_back(support.get());
   integrator_ = std::make_unique<Leapfrog>(bodies, interactions);
@@ -68,51 +73,30 @@ double Simulation::contact_stiffness(const PeridynamicBody &plate) const
          plate.lattice().box().spacing;
 }
 
-void Simulation::build_projectile()
-{
-  const auto &impact  = scene_.impact;
-  const auto &contact = scene_.contact;
-  initial_energy_     = 0.5 * scene_.projectile.mass * impact.speed * impact.speed;
-  friction_law_       = make_friction_law(contact.friction);
-  std::vector<PlateContact> plate_contacts;
-  for (const auto *const plate : plates())
-  {
-    const double spacing = plate->lattice().box().spacing;
-    RigidContact::Parameters parameters;
-    parameters.stiffness = contact_stiffness(*plate);
-    parameters.shank_force =
-        contact.shank_contact_fraction * contact.shank_resistance * spacing * spacing;
-    parameters.regularisation_speed = contact.regularisation_speed;
-    plate_contacts.push_back({parameters, spacing, plate->lattice().box().n[0]});
-  }
-  projectile_ = make_projectile(communicator_, scene_, *friction_law_, plate_contacts);
-  refuse_overlap();
-}
-
-/// The projectile must start outside all plates.
-void Simulation::refuse_overlap()
-{
-  const auto reactions = projectile_->add_contact_forces(plates(), /*dt=*/0.);
-  for (std::size_t i = 0; i < plates_.size(); ++i)
-    if (const auto &reaction = reactions[i]; reaction.n_touching > 0.)
-    {
-      std::ostringstream message;
-      message << "The projectile starts inside plate " << i + 1 << ": it touches "
-              << reaction.n_touching << " points, the deepest by " << 1e3 * reaction.deepest
-              << " mm. Raise 'Impact/Clearance' or move 'Impact/Entry point'.";
-      throw InputError(message.str());
-    }
-}
-
 void Simulation::build_contact()
 {
   const auto &contact = scene_.contact;
-  projectile_contact_ = std::make_unique<ProjectileContact>(*projectile_, plates());
+  for (const auto &projectile : projectiles_)
+    projectile_contacts_.push_back(std::make_unique<ProjectileContact>(*projectile, plates()));
   ShortRangeContact::Friction friction;
   if (contact.debris_friction > 0.)
     friction = {friction_law_.get(), contact.debris_friction, contact.regularisation_speed};
   short_range_contact_ = std::make_unique<ShortRangeContact>(
       communicator_, plates(), contact.debris_factor, scene_.symmetric, contact.search, friction);
+}
+
+void Simulation::build_joints()
+{
+  joints_.resize(plates_.size());
+  for (std::size_t i = 1; i < plates_.size(); ++i)
+    if (const auto &plate = scene_.plates[i]; plate.has_joint())
+    {
+      const double tension = plate.joint_tension,
+                   shear   = plate.joint_shear > 0. ? plate.joint_shear : tension;
+      joints_[i] =
+          std::make_unique<PlateJoint>(communicator_, *plates_[i - 1].points, *plates_[i].points,
+                                       PlateJoint::Strength{tension, shear});
+    }
 }
 
 void Simulation::build_supports()
@@ -138,7 +122,10 @@ Vector3 Simulation::support_reaction() const
 
 void Simulation::compute_forces(const bool energy)
 {
-  integrator_->compute_forces({time_, dt_, projectile_->bounding_box().second.x()}, energy);
+  double front = -std::numeric_limits<double>::max(); // of the one that has got farthest [m]
+  for (const auto &projectile : projectiles_)
+    front = std::max(front, projectile->bounding_box().second.x());
+  integrator_->compute_forces({time_, dt_, front}, energy);
 }
 
 void Simulation::advance()
@@ -168,21 +155,33 @@ EnergyBalance Simulation::energies() const
   EnergyBalance e;
   for (const auto &plate : plates_)
     e += plate.body->multiplicity() * plate.body->energies(dt_);
-  const auto projectile = projectile_->multiplicity() * projectile_->energies(dt_);
-  e.initial             = initial_energy_;
-  e.projectile          = projectile.kinetic;
-  e.drive               = projectile.drive;
-  e.elastic             = projectile.strain + projectile.hourglass;
-  e.contact             = projectile_contact_->energy();
-  e.debris              = short_range_contact_->energy();
-  e.friction            = 0. - projectile_contact_->friction_work(); // not -0
-  e.debris_friction     = 0. - short_range_contact_->friction_work();
+  for (std::size_t i = 0; i < projectiles_.size(); ++i)
+  {
+    const auto &body      = *projectiles_[i];
+    const auto projectile = body.multiplicity() * body.energies(dt_);
+    e.projectile += projectile.kinetic;
+    e.drive += projectile.drive;
+    e.elastic += projectile.strain + projectile.hourglass;
+    e.contact += projectile_contacts_[i]->energy();
+    e.friction -= projectile_contacts_[i]->friction_work(); // from 0: never -0
+  }
+  for (const auto &joint : joints_)
+    if (joint != nullptr)
+    {
+      e.strain += joint->energy();
+      e.fracture += joint->released_energy();
+    }
+  e.initial         = initial_energy_;
+  e.debris          = short_range_contact_->energy();
+  e.debris_friction = 0. - short_range_contact_->friction_work();
   return e;
 }
 
 MomentumBalance Simulation::momenta() const
 {
-  auto sum = projectile_->multiplicity() * projectile_->momenta();
+  Momenta sum = projectiles_.front()->multiplicity() * projectiles_.front()->momenta();
+  for (std::size_t i = 1; i < projectiles_.size(); ++i)
+    sum += projectiles_[i]->multiplicity() * projectiles_[i]->momenta();
   for (const auto &plate : plates_)
     sum += plate.body->multiplicity() * plate.body->momenta();
   for (const auto &support : supports_)
@@ -258,12 +257,19 @@ void Simulation::exchange_state(StateArchive &archive)
     const StateArchive::Group group(archive, "plate " + std::to_string(i + 1));
     plates_[i].body->exchange_state(archive);
   }
+  for (std::size_t i = 0; i < projectiles_.size(); ++i)
   {
-    const StateArchive::Group group(archive, "projectile");
-    projectile_->exchange_state(archive);
+    const StateArchive::Group group(archive, "projectile " + std::to_string(i + 1));
+    projectiles_[i]->exchange_state(archive);
+    projectile_contacts_[i]->exchange_state(archive);
   }
-  projectile_contact_->exchange_state(archive);
   short_range_contact_->exchange_state(archive);
+  for (std::size_t i = 0; i < joints_.size(); ++i)
+    if (joints_[i] != nullptr)
+    {
+      const StateArchive::Group group(archive, "joint " + std::to_string(i + 1));
+      joints_[i]->exchange_state(archive);
+    }
   for (std::size_t i = 0; i < supports_.size(); ++i)
   {
     const StateArchive::Group group(archive, "support " + std::to_string(i + 1));

@@ -33,8 +33,10 @@ void Simulation::check_finite() const
             << remedy;
     return message.str();
   };
-  if (const auto found = projectile_->first_not_finite(); !found.empty()) // the same on all ranks
-    throw RunError(complain(found));
+  for (std::size_t i = 0; i < projectiles_.size(); ++i) // the same on all ranks
+    if (const auto found = projectiles_[i]->first_not_finite(); !found.empty())
+      throw RunError(
+          complain(i == 0 ? found : found + " (projectile " + std::to_string(i + 1) + ")"));
   // The first one in the order of plates is reported, by the lowest rank that has one.
   std::string complaint;
   for (std::size_t i = 0; i < plates_.size() && complaint.empty(); ++i)
@@ -107,6 +109,14 @@ PointFrame Simulation::points(const FrameExtent extent) const
       frame.body.push_back(static_cast<int>(i) + 1);
     }
   }
+  return frame;
+}
+
+SurfaceFrame Simulation::surface() const
+{
+  SurfaceFrame frame = projectiles_.front()->surface();
+  for (std::size_t i = 1; i < projectiles_.size(); ++i)
+    frame.add(projectiles_[i]->surface());
   return frame;
 }
 

@@ -42,9 +42,12 @@ void Simulation::choose_time_step()
   time_step_info_ = {};
   for (const auto &plate : plates_)
   {
-    const auto estimate  = frequency_of(plate);
-    const double contact = contact_stiffness(*plate.points) / plate.points->point_mass() +
-                           short_range_contact_->squared_frequency(*plate.points);
+    const auto estimate = frequency_of(plate);
+    double contact      = contact_stiffness(*plate.points) / plate.points->point_mass() +
+                     short_range_contact_->squared_frequency(*plate.points);
+    for (const auto &joint : joints_)
+      if (joint != nullptr)
+        contact += joint->squared_frequency(*plate.points);
     if (estimate.squared_frequency + contact > largest)
     {
       largest                       = estimate.squared_frequency + contact;
@@ -56,11 +59,16 @@ void Simulation::choose_time_step()
     elastic_seconds.push_back(estimate.seconds_per_force);
     frequencies_.push_back(estimate);
   }
-  time_step_info_.seconds_per_step += projectile_->seconds_per_step();
+  double stiffest = 0.; // squared frequency of a projectile [1/s^2]
+  for (const auto &projectile : projectiles_)
+  {
+    time_step_info_.seconds_per_step += projectile->seconds_per_step();
+    stiffest = std::max(stiffest, projectile->squared_frequency());
+  }
   const double safety = scene_.time.safety_factor;
   time_step_info_.plates_dt =
       std::min(safety * 2. / std::sqrt(largest), 2. / std::sqrt(largest_cracked));
-  time_step_info_.projectile_dt = safety * 2. / std::sqrt(projectile_->squared_frequency());
+  time_step_info_.projectile_dt = safety * 2. / std::sqrt(stiffest);
   dt_ = std::min(time_step_info_.plates_dt, time_step_info_.projectile_dt);
   start_relaxation(elastic_seconds);
 }

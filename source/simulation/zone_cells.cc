@@ -36,20 +36,20 @@ double least_strength(const Scene &scene, const PlateParameters &last)
 }
 } // namespace
 
-ImpactOnPlate impact_on(const Scene &scene, const PlateParameters &plate, const double depth,
-                        const double thickness, const double horizon)
+std::vector<ImpactOnPlate> impacts_on(const Scene &scene, const PlateParameters &plate,
+                                      const double depth, const double thickness,
+                                      const double horizon)
 {
-  return {scene.projectile.shape.diameter,
-          scene.projectile.shape.length,
-          scene.projectile.mass,
-          scene.impact.speed,
-          scene.impact.incidence_angle,
-          scene.impact.entry_x,
-          scene.impact.entry_y,
-          depth,
-          thickness,
-          horizon,
-          least_strength(scene, plate)};
+  std::vector<ImpactOnPlate> impacts;
+  for (std::size_t i = 0; i < scene.n_projectiles(); ++i)
+  {
+    const auto &projectile = scene.projectile_at(i);
+    const auto &impact     = scene.impact_at(i);
+    impacts.push_back({projectile.shape.diameter, projectile.shape.length, projectile.mass,
+                       impact.speed, impact.incidence_angle, impact.entry_x, impact.entry_y, depth,
+                       thickness, horizon, least_strength(scene, plate)});
+  }
+  return impacts;
 }
 
 Zone::Cells hull(const std::vector<Zone::Cells> &boxes)
@@ -123,10 +123,16 @@ std::vector<Zone::Cells> ZoneCells::around_cutouts_of(const PlateParameters &pla
   return cells;
 }
 
-Zone::Cells ZoneCells::widest(const ImpactOnPlate &impact) const
+Zone::Cells ZoneCells::widest(const std::vector<ImpactOnPlate> &impacts) const
 {
-  const auto corridor = of(corridor_zone(impact));
-  return scene_.zone.adaptive ? hull({corridor, of(growth_limit(impact))}) : corridor;
+  std::vector<Zone::Cells> boxes;
+  for (const auto &impact : impacts)
+  {
+    boxes.push_back(of(corridor_zone(impact)));
+    if (scene_.zone.adaptive)
+      boxes.push_back(of(growth_limit(impact)));
+  }
+  return hull(boxes);
 }
 
 Zone::Cells ZoneCells::touchable() const
@@ -137,7 +143,7 @@ Zone::Cells ZoneCells::touchable() const
   {
     depth += &plate == &scene_.plates.front() ? 0. : plate.gap;
     const Stencil stencil = stencil_of(plate);
-    auto cells = hull({widest(impact_on(scene_, plate, depth, plate.thickness, stencil.horizon)),
+    auto cells = hull({widest(impacts_on(scene_, plate, depth, plate.thickness, stencil.horizon)),
                        hull(boxes_of(plate)), hull(around_cutouts_of(plate))});
     // Pad and halo of that plate, in cells of this one.
     const double layers =

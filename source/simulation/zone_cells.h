@@ -9,9 +9,10 @@
 
 namespace ricochet
 {
-/// On one of the scene's plates, whose upper face lies so `depth` below that of the first [m].
-ImpactOnPlate impact_on(const Scene &scene, const PlateParameters &plate, double depth,
-                        double thickness, double horizon);
+/// Of every projectile on one of the scene's plates, whose upper face lies `depth` below that of
+/// the first [m].
+std::vector<ImpactOnPlate> impacts_on(const Scene &scene, const PlateParameters &plate,
+                                      double depth, double thickness, double horizon);
 
 /// The smallest box around all; without any, an empty one.
 Zone::Cells hull(const std::vector<Zone::Cells> &boxes);
@@ -28,8 +29,8 @@ public:
   std::vector<Zone::Cells> boxes_of(const PlateParameters &plate) const;
   /// Around holes, notches and cracks: no element may lie there.
   std::vector<Zone::Cells> around_cutouts_of(const PlateParameters &plate) const;
-  /// The corridor, or all that a growing zone may become.
-  Zone::Cells widest(const ImpactOnPlate &impact) const;
+  /// The corridor, or all that a growing zone may become, one box around those of all impacts.
+  Zone::Cells widest(const std::vector<ImpactOnPlate> &impacts) const;
   /// Where a plate must be ready to be touched: in a stack, wherever any plate has points or may
   /// get some, those around its zone included. What lay in the other plate before it could be
   /// touched would be thrown out of it.

@@ -6,6 +6,7 @@
 
 #include "support/scratch_directory.h"
 #include "support/two_plates_text.h"
+#include "support/verification.h"
 
 #include <nlohmann/json.hpp>
 
@@ -73,6 +74,54 @@ TEST(Run, SummaryTellsPositionsAtStatedTimesAndDamagePerPlate)
   }
 }
 
+/// A ball, and one that comes 14 us later.
+ParameterFile two_balls_file(const std::string &folder)
+{
+  std::string text = two_plates_text;
+  for (const char *kind : {"Projectile", "Impact"})
+  {
+    const auto begin = two_plates_text.find("subsection " + std::string(kind));
+    const auto end   = two_plates_text.find("end\n", begin) + 4;
+    std::string copy = two_plates_text.substr(begin, end - begin);
+    copy.insert(copy.find(kind) + std::string(kind).size(), " 2");
+    text += copy;
+  }
+  return ParameterFile::from_text(
+      text, "two_balls.prm",
+      parse_overrides({"Output/Directory=" + folder, "Impact/Incidence angle=90 deg",
+                       "Impact/Speed=600 m/s", "Impact 2/Incidence angle=90 deg",
+                       "Impact 2/Speed=550 m/s", "Impact 2/Entry point=30 mm, 0 mm",
+                       "Impact 2/Clearance=8 mm", "Time/Final time=300 us"}));
+}
+
+TEST(Run, WithTwoProjectilesEndsWhenBothAreDecided)
+{
+  const ScratchDirectory scratch;
+  const auto folder = scratch.path() / "results";
+  RunOptions options;
+  options.quiet    = true;
+  const auto s     = run_scene(MPI_COMM_WORLD, two_balls_file(folder.string()), options);
+  const auto &both = s["projectiles"];
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_LT(s["time_us"], 250.);
+  EXPECT_EQ(both[0]["outcome"], "perforate") << both[0];
+  EXPECT_NE(both[1]["outcome"], "undecided") << both[1];
+  EXPECT_TRUE(contains(both[1]["reason"], "touched nothing for 5 us")) << both[1];
+  // The first one's fields stand at the top as well.
+  for (const auto &[name, value] : both[0].items())
+    EXPECT_EQ(s[name], value) << name;
+  EXPECT_GT(both[0]["exit_speed_m_s"], both[1]["exit_speed_m_s"]);
+  ASSERT_EQ(both[1]["positions"].size(), s["positions"].size());
+  EXPECT_EQ(both[1]["positions"][0]["x_mm"], 30.);
+  const std::string text = describe_run(s);
+  EXPECT_TRUE(contains(text, "projectile 2 ")) << text;
+  if (rank() == 0)
+  {
+    const auto names = split(split(read_text(folder / "history.csv"), '\n').front(), ',');
+    EXPECT_EQ(names.back(), "force z 2 [kN]");
+  }
+}
+
 TEST(Run, TellsAtTheStartAndInTheSummaryHowLargePlatesAreComputed)
 {
   const ScratchDirectory scratch;
@@ -124,6 +173,8 @@ TEST(Run, FramesLeaveNoTraceInTheHistory)
   const auto without = history("without", {"Output/Picture times=100 us"}),
              with = history("with", {"Output/Frame interval=0.3 us", "Output/ParaView files=true"});
   EXPECT_EQ(with, without);
+  verify_at_most("V28", "output: whether the history differs if frames are written",
+                 with != without, 0.);
   EXPECT_EQ(std::filesystem::exists(scratch.path() / "with/vtu/points_0020.pvtu"), true);
 }
 

@@ -61,6 +61,21 @@ TEST(RunWarnings, ElementsUnderTheProjectileAreNamedOnce)
   EXPECT_EQ(count(text, "touches finite elements"), rank() == 0 ? 1u : 0u) << text;
 }
 
+TEST(RunWarnings, ProjectilesThatMeetAreNamedOnce)
+{
+  Scene scene = two_plates();
+  scene.further_shots.push_back({scene.projectile, scene.impact});
+  for (const double x : {22e-3, 12e-3}) // 14 mm and 4 mm behind the first, of 10 mm at 30 degrees
+  {
+    scene.further_shots[0].impact.entry_x = x;
+    RunWarnings warnings(MPI_COMM_WORLD);
+    const std::string text = warnings_of(scene, 3, warnings);
+    EXPECT_EQ(count(text, "boxes around projectiles 1 and 2 overlap"),
+              rank() == 0 && x < 15e-3 ? 1u : 0u)
+        << text;
+  }
+}
+
 TEST(RunWarnings, LargeHourglassEnergyIsNamedOnce)
 {
   // The projectile pushes at the nodes of elements a quarter of the thickness large.

@@ -78,7 +78,6 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"scene/parameter_writer", "scene/test_parameter_template"},
     {"scene/plate_section", "scene/test_scene_reader"},
     {"scene/projectile_section", "scene/test_projectile_entries"},
-    {"scene/scene_sections", "scene/test_scene_reader"},
     {"scene/schema", "scene/test_parameter_template"},
     {"scene/section_checks", "scene/test_section"},
     {"scene/stability_reader", "scene/test_stability_section"},

@@ -107,6 +107,16 @@ struct Story
   double time      = 0.;
 };
 
+TEST(Outcome, IsThatOfTheStepThatDecidedIt)
+{
+  Story story;
+  story.fly({0., 0., -100.}, 5. * us, true);
+  story.fly({0., 0., 100.}, 20. * us, false);
+  ASSERT_TRUE(story.watch.decided());
+  story.plates[0].high.z() += 5. * mm; // swings on before anybody asks
+  EXPECT_EQ(story.watch.verdict("not asked").outcome, Outcome::ricochet);
+}
+
 TEST(Outcome, TurningRoundIsNoRest)
 {
   // In and out again, as on a spring: slow at the turn, whatever the free time.

@@ -41,7 +41,7 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
   notes.positions.push_back(sighting(simulation, watch, 2e-6));
   const OutcomeVerdict verdict{Outcome::perforate, ExitFace::rear, 2, "a reason"};
   const Json summary = run_summary({simulation, watch, verdict, totals, notes},
-                                   {{0.1, 1e-6, 2e-6}, {0.2, 3e-6, 4e-6}});
+                                   {{0.1, 1e-6, 2e-6}, {0.2, 3e-6, 4e-6, 0.75}});
 
   std::set<std::string> listed, present;
   for (const auto &field : summary_fields())
@@ -50,14 +50,16 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
     else if (field.place == "plate_N_")
       for (const char *plate : {"plate_1_", "plate_2_"})
         listed.insert(plate + field.name);
-    else
+    else if (field.place.rfind("projectiles", 0) != 0)
     {
       EXPECT_TRUE(summary.contains(field.place)) << field.place;
       listed.insert(field.place);
     }
   for (const auto &[name, value] : summary.items())
     present.insert(name);
+  listed.erase("plate_1_joint_broken_share"); // there is no plate above
   EXPECT_EQ(present, listed);
+  EXPECT_EQ(summary["plate_2_joint_broken_share"], 0.75);
 
   EXPECT_EQ(summary["outcome"], "perforate");
   EXPECT_EQ(summary["exit_face"], "rear");
@@ -72,6 +74,43 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
   ASSERT_EQ(summary["zones"].size(), 2u);
   EXPECT_EQ(summary["zones"][0].size(), 2u);
   EXPECT_EQ(summary["zones"][0]["share_of_volume"], 1.);
+}
+
+TEST(RunSummary, OfSeveralProjectilesHasAnObjectOfEach)
+{
+  Scene scene = two_plates();
+  scene.further_shots.push_back({scene.projectile, scene.impact});
+  scene.further_shots[0].impact.entry_x = 22e-3;
+  scene.further_shots[0].impact.speed   = 200.;
+  Simulation simulation(MPI_COMM_WORLD, scene);
+  std::vector<OutcomeWatch> watches{watch_of(simulation, 0), watch_of(simulation, 1)};
+  simulation.compute_forces(true);
+  for (const std::size_t i : {0, 1})
+    watches[i].update(observe(simulation, i));
+  RunNotes notes;
+  notes.positions.push_back(sighting(simulation, watches[0], 0.));
+  notes.further_positions.push_back(Json::array({sighting(simulation, watches[1], 0., 1)}));
+  const OutcomeVerdict first{Outcome::perforate, ExitFace::rear, 2, "a reason"},
+      second{Outcome::ricochet, ExitFace::front, 1, "another"};
+  const Json summary =
+      run_summary({simulation, watches[0], first, {}, notes, {{watches[1], second}}}, {});
+
+  const auto &all = summary["projectiles"];
+  ASSERT_EQ(all.size(), 2u);
+  std::set<std::string> listed{"positions"}, present;
+  for (const auto &field : summary_fields())
+    if (field.place == "projectiles")
+      listed.insert(field.name);
+  for (const auto &[name, value] : all[1].items())
+    present.insert(name);
+  EXPECT_EQ(present, listed);
+  for (const auto &[name, value] : all[0].items())
+    EXPECT_EQ(summary[name], value) << name;
+  EXPECT_EQ(all[1]["outcome"], "ricochet");
+  EXPECT_EQ(all[1]["reason"], "another");
+  EXPECT_NEAR(all[1]["exit_speed_m_s"], 200., 1e-12);
+  EXPECT_NEAR(all[1]["positions"][0]["speed_m_s"], 200., 1e-12);
+  EXPECT_NEAR(all[0]["positions"][0]["speed_m_s"], 300., 1e-12);
 }
 
 TEST(RunSummary, DamagedBoxesAreThoseOfSmallScenesToo)

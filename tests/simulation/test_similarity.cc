@@ -6,6 +6,7 @@
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/simulation/history_record.h"
 #include "support/similar_scene.h"
+#include "support/verification.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@ namespace
 {
 struct Course
 {
+  std::vector<HistoryColumn> columns;
   std::vector<std::vector<double>> records; // one every `interval` steps
   long n_conversions = 0;                   // of all plates
   double broken_bonds;
@@ -24,6 +26,7 @@ Course course_of(const Scene &scene, const int n_steps, const int interval)
 {
   Simulation simulation(MPI_COMM_SELF, scene);
   Course course;
+  course.columns = history_columns(simulation.n_projectiles());
   for (int step = 0; step <= n_steps; ++step)
   {
     const bool due = step % interval == 0;
@@ -42,15 +45,34 @@ Course course_of(const Scene &scene, const int n_steps, const int interval)
   return course;
 }
 
+double n_different(const Course &one, const Course &other, const Scale &scale)
+{
+  const auto &columns = one.columns;
+  double n            = 0.;
+  for (std::size_t i = 0; i < one.records.size(); ++i)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      n += other.records[i][c] / scale.of(columns[c].unit) != one.records[i][c];
+  return n;
+}
+
 void expect_similar(const Course &one, const Course &other, const Scale &scale)
 {
-  const auto &columns = history_columns();
+  const auto &columns = one.columns;
   const auto &first = one.records, &second = other.records;
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i)
     for (std::size_t c = 0; c < columns.size(); ++c)
       ASSERT_EQ(second[i][c] / scale.of(columns[c].unit), first[i][c])
           << columns[c].name << ", record " << i;
+}
+
+/// A second one, heavier, comes down farther along.
+Scene two_projectiles(Scene scene)
+{
+  scene.further_shots.push_back({scene.projectile, scene.impact});
+  scene.further_shots[0].projectile.mass *= 2.;
+  scene.further_shots[0].impact.entry_x = 20e-3;
+  return scene;
 }
 
 Scene with_zone(Scene scene, const ZoneKind kind, const bool adaptive)
@@ -84,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
     Kinds, SimilarScenes,
     testing::Values(Case{"Everything", small_scene()},
                     Case{"EverythingHalf", symmetric(small_scene())},
-                    Case{"TwoPlates", two_plates()},
+                    Case{"TwoPlates", two_plates()}, Case{"JoinedPlates", joined(two_plates())},
+                    Case{"TwoProjectiles", two_projectiles(small_scene())},
                     Case{"Relaxing", relaxing(small_scene(), HistoryPrecision::single_precision)},
                     Case{"Automatic", with_zone(small_scene(), ZoneKind::automatic, false)},
                     Case{"Adaptive", with_zone(small_scene(), ZoneKind::automatic, true)},
@@ -107,7 +130,22 @@ TEST_P(SimilarScenes, HaveSimilarResultsToTheLastBit)
   }
   EXPECT_EQ(course.n_conversions > 0, scene.zone.adaptive);
   for (const Scale scale : {Scale{1., 0.25, 1.}, Scale{64., 2., 0.25}})
-    expect_similar(course, course_of(similar(scene, scale), 120, 10), scale);
+  {
+    const auto other = course_of(similar(scene, scale), 120, 10);
+    expect_similar(course, other, scale);
+    verify_at_most("V28", "similarity: numbers of the history that differ, in units of the scales",
+                   n_different(course, other, scale), 0.);
+  }
+}
+
+TEST(SimilarScenesControl, WithOneQuantityInTheOldScaleAreNotSimilar)
+{
+  const Scale scale{1., 0.25, 1.};
+  Scene other                    = similar(small_scene(), scale);
+  other.contact.shank_resistance = small_scene().contact.shank_resistance;
+  verify_at_least("V28", "similarity: the same if one quantity is left as it was",
+                  n_different(course_of(small_scene(), 120, 10), course_of(other, 120, 10), scale),
+                  100.);
 }
 
 /// As a user writes them, with units: a quarter of the speed.

@@ -45,14 +45,15 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, Impact,
     testing::Values(small_scene(), symmetric(small_scene()), two_plates(), symmetric(two_plates()),
                     relaxing(small_scene(), HistoryPrecision::single_precision),
-                    crumbling(small_scene()), flowing(small_scene())),
+                    crumbling(small_scene()), flowing(small_scene()), joined(two_plates())),
     [](const auto &info)
     {
       return std::string(info.param.symmetric ? "Half" : "Full") +
              (info.param.plates.size() > 1 ? "TwoPlates" : "OnePlate") +
              (info.param.materials[0].relaxation.empty() ? "" : "Relaxing") +
              (info.param.materials[0].cracks_push ? "" : "Crumbling") +
-             (info.param.materials[0].flow.flows() ? "Flowing" : "");
+             (info.param.materials[0].flow.flows() ? "Flowing" : "") +
+             (info.param.plates.back().has_joint() ? "Joined" : "");
     });
 
 TEST_P(Impact, EnergyBalanceClosesWithDamageAndDebris)

@@ -51,21 +51,32 @@ inline void scale_material(MaterialParameters &material, const Scale &scale)
     branch.time *= scale.time();
 }
 
+inline void scale_shot(ProjectileParameters &projectile, ImpactParameters &impact,
+                       const Scale &scale)
+{
+  auto &shape = projectile.shape;
+  for (double *const length :
+       {&shape.diameter, &shape.length, &shape.nose_length, &projectile.spacing,
+        &projectile.peridynamic_length, &impact.entry_x, &impact.entry_y, &impact.clearance})
+    *length *= scale.length;
+  projectile.mass *= scale.mass();
+  projectile.youngs_modulus *= scale.stress();
+  impact.speed *= scale.speed;
+}
+
 /// Results are to be the same, in the units of `scale`; with powers of two, of four for the
 /// density, to the last bit.
 inline Scene similar(Scene scene, const Scale &scale)
 {
-  auto &shape = scene.projectile.shape;
-  for (double *const length :
-       {&shape.diameter, &shape.length, &shape.nose_length, &scene.projectile.spacing,
-        &scene.projectile.peridynamic_length, &scene.impact.entry_x, &scene.impact.entry_y,
-        &scene.impact.clearance})
-    *length *= scale.length;
-  scene.projectile.mass *= scale.mass();
-  scene.projectile.youngs_modulus *= scale.stress();
-  scene.impact.speed *= scale.speed;
+  scale_shot(scene.projectile, scene.impact, scale);
+  for (auto &shot : scene.further_shots)
+    scale_shot(shot.projectile, shot.impact, scale);
   for (auto &plate : scene.plates)
+  {
     scale_plate(plate, scale.length);
+    plate.joint_tension *= scale.stress();
+    plate.joint_shear *= scale.stress();
+  }
   for (auto &material : scene.materials)
     scale_material(material, scale);
   auto friction = std::get<ExponentialFriction::Parameters>(scene.contact.friction);

@@ -41,6 +41,14 @@ inline Scene two_plates()
   return scene;
 }
 
+/// With plates joined to each other, more weakly than they hold together themselves (63 MPa).
+inline Scene joined(Scene scene)
+{
+  for (std::size_t i = 1; i < scene.plates.size(); ++i)
+    scene.plates[i].joint_tension = 30e6;
+  return scene;
+}
+
 /// The same projectile of finite elements, coarse.
 inline Scene deformable(Scene scene)
 {

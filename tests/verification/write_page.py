@@ -38,6 +38,7 @@ TITLES = {
     25: "Dashpots at the end of a bar of elements",
     26: "Oblique impact on plates of PMMA against the published experiments and simulations",
     27: "What must fail, fails: couplings, steps, calibrations and a weighted volume that is recomputed",
+    28: "Metamorphic checks: the same event told in another way has the same course, another event has not",
 }
 UNTESTED = {
     14: "not done yet",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The surface of a projectile at one moment, as pictures want it.
+// The surface of a projectile, or of several, at one moment, as pictures want it.
 #pragma once
 
 #include "ricochet/base/vector.h"
@@ -16,5 +16,11 @@ struct SurfaceFrame
   std::vector<Vector3> vertices;         // current [m]
   std::vector<std::array<int, 4>> quads; // vertex numbers, around each
   std::vector<Vector3> outline;          // closed polygon [m]
+  // Of several projectiles in one frame:
+  std::vector<int> body = {}; // per quad: 0, -1, -2 and so on; without numbers all are 0
+  std::vector<std::vector<Vector3>> further_outlines = {}; // of the second one and so on [m]
+
+  /// Appends the frame of one more.
+  void add(const SurfaceFrame &other);
 };
 } // namespace ricochet

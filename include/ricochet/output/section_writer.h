@@ -12,9 +12,10 @@ namespace ricochet
 {
 /// DIRECTORY/section.h5 has one group per frame, "frame_0000" and so on, with the attribute time_s
 /// [s] and the datasets position [m] (n x 3), damage [-], body [-], pressure [Pa], von_mises [Pa],
-/// energy_density [J/m3] (frame_fields.h says what they are) and outline [m] (k x 3). The groups
-/// are links into the files of the folder section/, so that a frame is never changed once it is
-/// written and the file may be read during the run.
+/// energy_density [J/m3] (frame_fields.h says what they are) and outline [m] (k x 3), and, of
+/// further projectiles, "outline 2" and so on. The groups are links into the files of the folder
+/// section/, so that a frame is never changed once it is written and the file may be read during
+/// the run.
 class SectionWriter
 {
 public:

@@ -52,7 +52,13 @@ struct PlateParameters
   bool absorbing_edges                          = false; // waves leave through the side faces
   ClampedSides clamped_sides                    = ClampedSides::none; // which edges are held
   double clamp_width                            = 0.;                 // [m]; 0: not given
-  Cutouts cutouts = {}; // holes, notches and cracks it has from the start
+  Cutouts cutouts      = {}; // holes, notches and cracks it has from the start
+  // Of the joint to the plate above, if there is one:
+  double joint_tension = 0.; // strength [Pa]; 0: they only touch
+  double joint_shear   = 0.; // likewise [Pa]; 0: that under tension
+
+  /// Whether it is joined to the plate above.
+  bool has_joint() const { return joint_tension > 0.; }
 
   /// Of the frame that is held along the clamped sides: one horizon unless given [m].
   double held_width() const { return clamp_width > 0. ? clamp_width : horizon_ratio * spacing; }
@@ -119,6 +125,13 @@ struct ImpactParameters
   double clearance;       // between the lowest point of the projectile and the plate at t = 0 [m]
 };
 
+/// Of the sections 'Projectile N' and 'Impact N': one projectile and how it arrives.
+struct Shot
+{
+  ProjectileParameters projectile; // what flies
+  ImpactParameters impact;         // how it arrives
+};
+
 /// Of the section 'Contact'.
 struct ContactParameters
 {
@@ -170,5 +183,27 @@ struct Scene
   ContactParameters contact;                 // section Contact
   TimeParameters time;                       // section Time
   OutputParameters output;                   // section Output
+  std::vector<Shot> further_shots = {};      // sections Projectile N and Impact N, from 2 on
+
+  std::size_t n_projectiles() const { return 1 + further_shots.size(); } // in all
+  /// From 0, the first.
+  const ProjectileParameters &projectile_at(const std::size_t i) const
+  {
+    return i == 0 ? projectile : further_shots[i - 1].projectile;
+  }
+  /// Likewise.
+  const ImpactParameters &impact_at(const std::size_t i) const
+  {
+    return i == 0 ? impact : further_shots[i - 1].impact;
+  }
+  /// The same scene with this projectile alone.
+  Scene with_only(const std::size_t i) const
+  {
+    Scene scene      = *this;
+    scene.projectile = projectile_at(i);
+    scene.impact     = impact_at(i);
+    scene.further_shots.clear();
+    return scene;
+  }
 };
 } // namespace ricochet

@@ -15,6 +15,8 @@ struct PlateDamage
   // Area of the faces' points that have lost more than damaged_share of their bonds, both halves.
   double front_area; // [m^2]
   double rear_area;  // [m^2]
+  /// Of the joint to the plate above, what has broken [-]; negative: there is none.
+  double joint_broken_share = -1.;
 };
 
 class DamageReport

@@ -32,10 +32,11 @@ Totals totals_of(const Simulation &simulation);
 /// What a record is computed from: a simulation between compute_forces(true) and advance().
 struct Moment
 {
-  const Simulation &simulation; // at that time
-  const Totals &totals;         // now
-  /// Of the projectile, velocities too.
-  Projectile::Motion motion = simulation.present_motion();
+  const Simulation &simulation;  // at that time
+  const Totals &totals;          // now
+  std::size_t projectile    = 0; // of which it speaks
+  /// Of that projectile, velocities too.
+  Projectile::Motion motion = simulation.present_motion(projectile);
   Vector3 support           = simulation.support_reaction(); // force on the plates [N]
 };
 
@@ -49,9 +50,10 @@ struct HistoryColumn
   std::string meaning;                               // half a sentence, for the user
 };
 
-/// In the order of the file.
-const std::vector<HistoryColumn> &history_columns();
+/// In the order of the file. With several projectiles the columns of the first are followed by all
+/// others, and these by what the further projectiles have of their own: "x 2", "force z 3".
+std::vector<HistoryColumn> history_columns(std::size_t n_projectiles = 1);
 
-/// One value per column.
+/// One value per column, of all projectiles that there are.
 std::vector<double> history_record(const Moment &moment);
 } // namespace ricochet

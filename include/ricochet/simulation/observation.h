@@ -11,10 +11,10 @@ namespace ricochet
 /// if none is left), those which follow elements included. Collective.
 std::vector<PlatePlace> plate_places(const Simulation &simulation);
 
-/// Of the present step, after compute_forces(). The simulation must outlive what is returned, whose
-/// plates() is collective.
-Observation observe(const Simulation &simulation);
+/// Of the present step and a projectile, after compute_forces(). The simulation must outlive what
+/// is returned, whose plates() is collective.
+Observation observe(const Simulation &simulation, std::size_t projectile = 0);
 
-/// A watch over a simulation at its start.
-OutcomeWatch watch_of(const Simulation &simulation);
+/// A watch over a projectile of a simulation at its start.
+OutcomeWatch watch_of(const Simulation &simulation, std::size_t projectile = 0);
 } // namespace ricochet

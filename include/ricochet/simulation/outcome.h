@@ -113,6 +113,8 @@ private:
   double impact_speed_, free_time_;
   Observation now_{};
   bool decided_ = false, has_touched_ = false, rests_ = false;
+  /// That decided it: the plates move on until somebody asks for the verdict.
+  ExitFace face_    = ExitFace::none;
   double max_depth_ = 0., path_ = 0.;
   double first_contact_ = 0., last_contact_ = 0., last_motion_ = 0.; // times [s]
   double height_  = 0.; // of the centre when it was last between the edges [m]

@@ -32,23 +32,32 @@ struct RunNotes
   MomentumBalance start_momenta{}; // at time 0
   std::vector<InterfaceReport> interfaces; // at time 0
   /// From sighting(), at the times that the scene states.
-  nlohmann::ordered_json positions = nlohmann::ordered_json::array();
+  nlohmann::ordered_json positions                      = nlohmann::ordered_json::array();
+  std::vector<nlohmann::ordered_json> further_positions = {}; // likewise, of projectile 2 and so on
+};
+
+/// One of several projectiles at the end of the run.
+struct ProjectileEnd
+{
+  const OutcomeWatch &watch;     // which has seen all steps
+  const OutcomeVerdict &verdict; // what has become of it
 };
 
 /// A run at its end.
 struct RunEnd
 {
-  const Simulation &simulation;  // at its last time
-  const OutcomeWatch &watch;     // which has seen all steps
-  const OutcomeVerdict &verdict; // how the run has ended
-  const Totals &totals;          // of the last record
-  const RunNotes &notes;         // of the whole run
+  const Simulation &simulation;            // at its last time
+  const OutcomeWatch &watch;               // which has seen all steps of the first projectile
+  const OutcomeVerdict &verdict;           // how the run has ended
+  const Totals &totals;                    // of the last record
+  const RunNotes &notes;                   // of the whole run
+  std::vector<ProjectileEnd> further = {}; // of projectile 2 and so on
 };
 
 /// A field of the summary, as the user may read about it.
 struct SummaryField
 {
-  std::string place;   // "", or where it stands: "zones", "positions", "plate_N_"
+  std::string place;   // "", or where it stands: "zones", "positions", "projectiles", "plate_N_"
   std::string name;    // in a "plate_N_" the part behind
   std::string unit;    // "-" if dimensionless, "" if it is no number
   std::string meaning; // null values and fields that may be missing are explained here
@@ -60,7 +69,7 @@ std::vector<SummaryField> summary_fields();
 /// The summary, whose per-plate damage is `damage`. Collective.
 nlohmann::ordered_json run_summary(const RunEnd &end, const std::vector<PlateDamage> &damage);
 
-/// Where the projectile is, noted for a stated time [s], or rather in the first step after it.
+/// Where a projectile is, noted for a stated time [s], or rather in the first step after it.
 nlohmann::ordered_json sighting(const Simulation &simulation, const OutcomeWatch &watch,
-                                double stated_time);
+                                double stated_time, std::size_t projectile = 0);
 } // namespace ricochet

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One impact: plates, projectile and contact between them, built from a scene, and the time step.
+// One impact: plates, projectiles and contact between them, built from a scene, and the time step.
 // How a step goes stands in dynamics/leapfrog.h. Knows neither files nor the clock on the wall.
 #pragma once
 
+#include "ricochet/contact/plate_joint.h"
 #include "ricochet/contact/short_range_contact.h"
 #include "ricochet/coupling/adaptive_plate.h"
 #include "ricochet/coupling/clamped_edges.h"
@@ -43,13 +44,22 @@ public:
   double dt() const { return dt_; }     // [s]
   long step() const { return step_; }   // made so far
 
-  MPI_Comm communicator() const { return communicator_; }       // of all its collective calls
-  const Scene &scene() const { return scene_; }                 // as given
-  const Projectile &projectile() const { return *projectile_; } // as it is now
-  /// Of the projectile, with the velocities of the present time; after compute_forces().
-  Projectile::Motion present_motion() const { return projectile_->present_motion(dt_); }
-  /// Of all plates on the projectile, at the last compute_forces().
-  const ContactRecord &reaction() const { return projectile_contact_->record(); }
+  MPI_Comm communicator() const { return communicator_; } // of all its collective calls
+  const Scene &scene() const { return scene_; }           // as given
+  // Projectiles are counted from 0, the first; they do not touch each other.
+  std::size_t n_projectiles() const { return projectiles_.size(); } // of the scene
+  /// As it is now.
+  const Projectile &projectile(const std::size_t i = 0) const { return *projectiles_[i]; }
+  /// Of a projectile, with the velocities of the present time; after compute_forces().
+  Projectile::Motion present_motion(const std::size_t i = 0) const
+  {
+    return projectiles_[i]->present_motion(dt_);
+  }
+  /// Of all plates on a projectile, at the last compute_forces().
+  const ContactRecord &reaction(const std::size_t i = 0) const
+  {
+    return projectile_contacts_[i]->record();
+  }
 
   std::size_t n_plates() const { return plates_.size(); }              // of the scene
   const Plate &plate(const std::size_t i) const { return plates_[i]; } // from 0, the uppermost
@@ -75,6 +85,8 @@ public:
   MomentumBalance momenta() const;
   // All numbers are those of whole bodies, also if a symmetry plane spares one half.
   double broken_bonds() const; // so far, each once; collective
+  /// Of a plate to the one above; null: they only touch.
+  const PlateJoint *joint_above(std::size_t plate) const { return joints_[plate].get(); }
   /// Box around the damaged points of a plate in the reference configuration [m]; low > high if
   /// there are none. Collective.
   std::pair<Vector3, Vector3> damaged_box(std::size_t plate) const;
@@ -90,9 +102,9 @@ public:
   std::string describe_fastest_point() const;
 
   // For pictures; between compute_forces() and advance(). Looking changes nothing.
-  PointFrame points(FrameExtent extent) const;                    // owned by this rank; collective
-  SurfaceFrame surface() const { return projectile_->surface(); } // of the projectile
-  ElementFrame elements(FrameExtent extent) const;                // owned by this rank
+  PointFrame points(FrameExtent extent) const;     // owned by this rank; collective
+  SurfaceFrame surface() const;                    // of all projectiles
+  ElementFrame elements(FrameExtent extent) const; // owned by this rank
 
   /// What limits the step, for the user.
   struct TimeStepInfo
@@ -101,16 +113,17 @@ public:
     double contact_share;    // of the squared frequency that contact adds [-]
     double seconds_per_step; // measured, forces only [s]
     double plates_dt;        // the step that the plates alone would allow [s]
-    double projectile_dt;    // the same of a deformable projectile; infinite if rigid [s]
+    double projectile_dt;    // the least that a projectile allows; infinite if all are rigid [s]
   };
   TimeStepInfo time_step_info() const { return time_step_info_; } // of the step in use
   /// Of each plate alone, without contact.
   const std::vector<FrequencyEstimate> &frequencies() const { return frequencies_; }
 
 private:
-  void build_projectile();
-  void refuse_overlap();
+  void build_projectiles();
+  void refuse_overlap(std::size_t projectile);
   void build_contact();
+  void build_joints();
   void build_supports();
   double contact_stiffness(const PeridynamicBody &plate) const; // [N/m]
   /// Bound from above, without contact. Collective.
@@ -123,9 +136,11 @@ private:
   Scene scene_;
   std::vector<Plate> plates_;
   std::unique_ptr<FrictionLaw> friction_law_;
-  std::unique_ptr<Projectile> projectile_;
-  std::unique_ptr<ProjectileContact> projectile_contact_;
+  std::vector<std::unique_ptr<Projectile>> projectiles_;
+  std::vector<std::unique_ptr<ProjectileContact>> projectile_contacts_; // of each
   std::unique_ptr<ShortRangeContact> short_range_contact_;
+  /// Of each plate to the one above; null: none.
+  std::vector<std::unique_ptr<PlateJoint>> joints_;
   std::vector<std::unique_ptr<ClampedEdges>> supports_; // of the plates that have some
   std::unique_ptr<Leapfrog> integrator_;
   TimeStepInfo time_step_info_;
