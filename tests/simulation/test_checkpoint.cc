@@ -97,6 +97,15 @@ TEST(Checkpoint, OfFlowingPlatesWithFriction)
   expect_no_difference(scene, true);
 }
 
+TEST(Checkpoint, OfTwoProjectilesOnJoinedPlates)
+{
+  Scene scene                   = two_plates();
+  scene.plates[1].joint_tension = 40e6;
+  scene.further_shots.push_back({scene.projectile, scene.impact});
+  scene.further_shots[0].impact.entry_x += 9e-3;
+  expect_no_difference(scene, true);
+}
+
 TEST(Checkpoint, OfAHalfModelThatRelaxes)
 {
   expect_no_difference(symmetric(relaxing(small_scene(), HistoryPrecision::single_precision)),
