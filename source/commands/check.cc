@@ -126,6 +126,7 @@ void print_projectile(const Scene &scene, const Projectile &projectile)
   if (const std::string parts = projectile.parts(); !parts.empty())
     std::printf("  deformable   %s, E %.4g GPa, nu %.3f\n", parts.c_str(),
                 scene.projectile.youngs_modulus / GPa, scene.projectile.poissons_ratio);
+  std::fputs(projectile.description().c_str(), stdout);
 }
 
 /// Sums over all ranks.

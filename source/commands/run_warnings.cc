@@ -28,6 +28,7 @@ void RunWarnings::update(const Simulation &simulation)
 {
   check_depth(simulation);
   check_elements(simulation);
+  check_yield(simulation);
 }
 
 void RunWarnings::check_depth(const Simulation &simulation)
@@ -54,6 +55,19 @@ void RunWarnings::check_elements(const Simulation &simulation)
            " mm, touches finite elements, which do not break: the peridynamic zone ends too early, "
            "and what follows is not to be trusted. Set 'Coupling/Adaptive = true', or enlarge the "
            "zone.");
+}
+
+void RunWarnings::check_yield(const Simulation &simulation)
+{
+  const double limit = simulation.scene().projectile.yield_stress;
+  const double found = simulation.projectile().largest_von_mises();
+  if (yields_ || limit <= 0. || found <= limit)
+    return;
+  yields_ = true;
+  warn(communicator_, at(simulation.time()) + "the projectile's von Mises stress is " +
+                          with_digits(found / MPa, 4) +
+                          " MPa, above 'Projectile/Yield stress = " + with_digits(limit / MPa, 4) +
+                          " MPa': it would flow, and the model is elastic.");
 }
 
 void RunWarnings::update(const Moment &moment)

@@ -25,9 +25,11 @@ public:
 private:
   void check_depth(const Simulation &simulation);
   void check_elements(const Simulation &simulation);
+  void check_yield(const Simulation &simulation);
 
   MPI_Comm communicator_;
   double deepest_ = 0., on_elements_since_ = -1.;
+  bool yields_ = false; // the projectile would
   HourglassWatch hourglass_;
 };
 } // namespace ricochet

@@ -56,6 +56,7 @@ void Simulation::choose_time_step()
     elastic_seconds.push_back(estimate.seconds_per_force);
     frequencies_.push_back(estimate);
   }
+  projectile_->resolve(largest);
   time_step_info_.seconds_per_step += projectile_->seconds_per_step();
   const double safety = scene_.time.safety_factor;
   time_step_info_.plates_dt =
