@@ -86,6 +86,8 @@ void Simulation::build_projectile()
     plate_contacts.push_back({parameters, spacing, plate->lattice().box().n[0]});
   }
   projectile_ = make_projectile(communicator_, scene_, *friction_law_, plate_contacts);
+  if (impact.spin != 0.)
+    initial_energy_ = projectile_->multiplicity() * projectile_->energies(/*dt=*/0.).kinetic;
   refuse_overlap();
 }
 
