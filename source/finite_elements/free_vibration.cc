@@ -2,6 +2,7 @@
 // The only file that sees Trilinos. Everything is made on MPI_COMM_SELF.
 #include "ricochet/finite_elements/free_vibration.h"
 
+#include "free_components.h"
 #include "level_cholesky.h"
 #include "ricochet/base/elastic_constants.h"
 #include "ricochet/base/exceptions.h"
@@ -86,47 +87,6 @@ private:
   LevelCholesky factors_;
 };
 
-/// Free components are numbered on; -1 where the mirror plane holds one.
-std::vector<int> number_free(const HexahedralBody &body)
-{
-  std::vector<int> number(3 * body.n_nodes());
-  int n = 0;
-  for (int i = 0; i < static_cast<int>(number.size()); ++i)
-    number[i] = body.inverse_mass(i) > 0. ? n++ : -1;
-  return number;
-}
-
-/// Beside rigid motion.
-int degrees_of_freedom(const HexahedralBody &body)
-{
-  int n = body.mirrored() ? -3 : -6;
-  for (int i = 0; i < 3 * body.n_nodes(); ++i)
-    n += body.inverse_mass(i) > 0. ? 1 : 0;
-  return n;
-}
-
-/// All nodes of cells must be reached from the first.
-void refuse_loose_parts(const std::vector<std::vector<int>> &neighbours)
-{
-  std::vector<char> reached(neighbours.size(), 0);
-  std::vector<int> border;
-  for (std::size_t node = 0; node < neighbours.size() && border.empty(); ++node)
-    if (!neighbours[node].empty())
-      border.push_back(static_cast<int>(node));
-  while (!border.empty())
-  {
-    const int node = border.back();
-    border.pop_back();
-    if (reached[node]++)
-      continue;
-    border.insert(border.end(), neighbours[node].begin(), neighbours[node].end());
-  }
-  for (std::size_t node = 0; node < neighbours.size(); ++node)
-    if (!neighbours[node].empty() && !reached[node])
-      throw InputError(
-          "The projectile's mesh has parts that nothing holds together.\n  Mesh the body "
-          "as one piece, whose cells share faces.");
-}
 } // namespace
 
 int most_free_modes(const HexahedralBody &body)
@@ -184,19 +144,12 @@ FreeVibration::System::System(const HexahedralBody &the_body) :
 /// Rows with zeros where two nodes share a cell.
 void FreeVibration::System::find_pattern()
 {
-  std::vector<std::vector<int>> neighbours(body.n_nodes());
-  for (const auto &corners : body.solid().cells)
-    for (const int node : corners)
-      neighbours[node].insert(neighbours[node].end(), corners.begin(), corners.end());
-  refuse_loose_parts(neighbours);
+  const auto neighbours = neighbours_of(body);
   std::vector<int> entries;
   for (int node = 0; node < body.n_nodes(); ++node)
   {
-    auto &near = neighbours[node];
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
     entries.clear();
-    for (const int other : near)
+    for (const int other : neighbours[node])
       for (int d = 0; d < 3; ++d)
         if (number[3 * other + d] >= 0)
           entries.push_back(number[3 * other + d]);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <numeric>
 
 namespace ricochet::tests
@@ -141,6 +142,99 @@ TEST(ModalBody, SpinningAndRingingKeepsEnergyAndMomenta)
     EXPECT_LE((last.angular - first.angular).norm() / (arm * first.linear.norm()), 1e-12)
         << "angular momentum of a spinning, ringing modal projectile";
   }
+}
+
+TEST(ModalBody, TurnsAboutPrincipalAxesThatAreNotTheMeshs)
+{
+  HexSolid solid = distorted_block({6, 2, 3}, 1e-3, 0.2);
+  for (auto &X : solid.nodes)
+    X = Eigen::AngleAxisd(0.3, Vector3(1., 2., -1.).normalized()) * X;
+  HexahedralBody mesh(solid, steel(), false);
+  std::vector<int> nodes(mesh.n_nodes());
+  std::iota(nodes.begin(), nodes.end(), 0);
+  ModalBody body(core, mesh, nodes, some_motion(false));
+  mesh.set_motion(some_motion(false));
+  body.compute_internal_forces({});
+  mesh.compute_internal_forces({});
+  // Forces that turn each node as a rigid body turns.
+  const Vector3 spinning(3e8, -5e8, 2e8); // [rad/s^2]
+  for (int node = 0; node < mesh.n_nodes(); ++node)
+  {
+    const Vector3 arm = node_of(mesh.position(), node) - some_motion(false).position;
+    const Vector3 f   = mesh.node_mass(node) * spinning.cross(arm);
+    for (int d = 0; d < 3; ++d)
+      body.force()[3 * node + d] = mesh.force()[3 * node + d] = f[d];
+  }
+  const auto found = body.velocity_after(1e-6), expected = mesh.velocity_after(1e-6);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_NEAR(body.velocity()[i], mesh.velocity()[i], 1e-11);
+    EXPECT_NEAR(found[i], expected[i], 1e-11); // of 600 m/s and 2 m/s of change
+  }
+}
+
+TEST(ModalBody, BarOnARigidWallNeedsSomeAxialModes)
+{
+  // St Venant: it touches for 2 L/c_0, under rho c_0 v A, and leaves as fast as it came. Springs of
+  // 20 E A/L take a tenth of the time to be pressed.
+  const double h = 1e-3, length = 40 * h, area = 4 * h * h, E = 202e9, density = 7850., v = 10.;
+  const double c_0 = std::sqrt(E / density), dt = 2e-8;
+  const HexahedralBody mesh(block({40, 2, 2}, h), steel(), false);
+  const auto modes = FreeVibration(mesh).lowest_modes(96);
+  std::vector<int> nodes(mesh.n_nodes()), end;
+  std::iota(nodes.begin(), nodes.end(), 0);
+  for (const int node : nodes)
+    if (mesh.solid().nodes[node].x() == 0.)
+      end.push_back(node);
+  const double k = 20. * E * area / length / static_cast<double>(end.size());
+  RigidBody::Motion start;
+  start.position    = Vector3(length / 2., h, h);
+  start.velocity    = Vector3(-v, 0., 0.);
+  start.orientation = Eigen::Quaterniond::Identity();
+  start.spin        = Vector3::Zero();
+  std::printf("modes  contact/(2L/c)  force/(rho c v A)  rebound\n");
+  double rebound = 0., contact = 0., force = 0.;
+  for (const int n : {0, 8, 12, 24, 32, 48, 64, 96})
+  {
+    ModalBody body(core, mesh, nodes, start);
+    body.set_modes(modes, n);
+    double last     = 0.;
+    force           = 0.;
+    int n_in_middle = 0;
+    for (int step = 0; step < 1600; ++step)
+    {
+      const double t = step * dt;
+      body.update_ghosts();
+      body.compute_internal_forces({});
+      double push = 0.;
+      for (const int node : end)
+        if (const double x = body.position()[3 * node]; x < 0.)
+          push += body.force()[3 * node] = -k * x;
+      if (push > 0.)
+        last = t;
+      if (t > 0.5 * length / c_0 && t < 1.5 * length / c_0)
+      {
+        force += push;
+        ++n_in_middle;
+      }
+      body.advance(step == 0 ? dt / 2. : dt, dt);
+    }
+    contact = last / (2. * length / c_0);
+    force /= n_in_middle * density * c_0 * v * area;
+    rebound = body.rigid_motion(0.).velocity.x() / v;
+    std::printf("%5d %15.3f %18.3f %8.3f\n", n, contact, force, rebound);
+    if (n == 0) // a mass on a spring
+    {
+      EXPECT_NEAR(rebound, 1., 1e-3);
+    }
+    else if (n == 12) // one axial mode keeps what it got
+    {
+      EXPECT_LT(rebound, 0.8);
+    }
+  }
+  EXPECT_NEAR(contact, 1., 0.05);
+  EXPECT_NEAR(force, 1., 0.02);
+  EXPECT_GT(rebound, 0.97);
 }
 
 TEST(ModalBody, FliesStraightWithoutDeforming)
