@@ -60,10 +60,10 @@ public:
   /// entry 3 corner + component [N/m].
   Eigen::Matrix<double, 24, 24> stiffness(int cell) const;
 
-  const HexSolid &solid() const { return solid_; } // the reference configuration
-  const FiniteElementMaterial &material() const { return material_; }
-  bool mirrored() const { return mirrored_; }                           // see the constructor
-  const GeneralHexKernel &kernel() const { return *kernel_; }           // in use
+  const HexSolid &solid() const { return solid_; }                    // the reference configuration
+  const FiniteElementMaterial &material() const { return material_; } // of all cells
+  bool mirrored() const { return mirrored_; }                         // see the constructor
+  const GeneralHexKernel &kernel() const { return *kernel_; }         // in use
   int n_nodes() const { return static_cast<int>(solid_.nodes.size()); } // of this half
   double node_mass(const int node) const { return mass_[node]; }        // [kg]
   /// Of component i = 3 node + d; 0 where it is held [1/kg].
