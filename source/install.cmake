@@ -11,7 +11,7 @@ install(DIRECTORY scripts prm meshes DESTINATION ${data_dir} COMPONENT program
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc COMPONENT program)
 
-install(TARGETS ${libraries} dealii EXPORT ricochet_targets ARCHIVE COMPONENT development)
+install(TARGETS ${libraries} dealii trilinos EXPORT ricochet_targets ARCHIVE COMPONENT development)
 install(DIRECTORY include/ricochet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(EXPORT ricochet_targets NAMESPACE ricochet:: FILE ricochet-targets.cmake DESTINATION ${package_dir}
   COMPONENT development)

@@ -129,6 +129,7 @@ void print_projectile(const Simulation &simulation, const std::size_t number)
   if (const std::string parts = projectile.parts(); !parts.empty())
     std::printf("  deformable   %s, E %.4g GPa, nu %.3f\n", parts.c_str(),
                 given.youngs_modulus / GPa, given.poissons_ratio);
+  std::fputs(projectile.description().c_str(), stdout);
 }
 
 /// In bytes.

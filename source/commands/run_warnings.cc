@@ -28,7 +28,10 @@ void RunWarnings::update(const Simulation &simulation)
 {
   check_depth(simulation);
   for (std::size_t i = 0; i < simulation.n_projectiles(); ++i)
+  {
     check_elements(simulation, i);
+    check_yield(simulation, i);
+  }
   check_projectiles(simulation);
 }
 
@@ -79,6 +82,19 @@ void RunWarnings::check_projectiles(const Simulation &simulation)
     }
 }
 
+void RunWarnings::check_yield(const Simulation &simulation, const std::size_t projectile)
+{
+  const double limit = simulation.scene().projectile_at(projectile).yield_stress;
+  const double found = simulation.projectile(projectile).largest_von_mises();
+  if (yields_ || limit <= 0. || found <= limit)
+    return;
+  yields_ = true;
+  warn(communicator_, at(simulation.time()) + "the projectile's von Mises stress is " +
+                          with_digits(found / MPa, 4) +
+                          " MPa, above 'Projectile/Yield stress = " + with_digits(limit / MPa, 4) +
+                          " MPa': it would flow, and the model is elastic.");
+}
+
 void RunWarnings::update(const Moment &moment)
 {
   const bool known = hourglass_.is_large();
@@ -101,6 +117,7 @@ void RunWarnings::exchange_state(StateArchive &archive)
   archive.common("deepest", deepest_);
   archive.common("on elements since", on_elements_since_);
   archive.common("projectiles meet", projectiles_meet_);
+  archive.common("yields", yields_);
   hourglass_.exchange_state(archive);
 }
 } // namespace ricochet

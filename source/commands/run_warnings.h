@@ -28,11 +28,12 @@ public:
 private:
   void check_depth(const Simulation &simulation);
   void check_elements(const Simulation &simulation, std::size_t projectile);
+  void check_yield(const Simulation &simulation, std::size_t projectile);
   void check_projectiles(const Simulation &simulation);
 
   MPI_Comm communicator_;
   double deepest_ = 0., on_elements_since_ = -1.;
-  bool projectiles_meet_ = false;
+  bool projectiles_meet_ = false, yields_ = false; // a projectile would
   HourglassWatch hourglass_;
 };
 } // namespace ricochet

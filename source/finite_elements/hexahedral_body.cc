@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/finite_elements/hexahedral_body.h"
 
+#include "hexahedron.h"
 #include "ricochet/base/elastic_constants.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/bodies/nearest_rigid_motion.h"
@@ -32,16 +33,16 @@ HexahedralBody::HexahedralBody(const HexSolid &solid, const FiniteElementMateria
                                const bool mirrored, const Options &options) :
   solid_(solid),
   material_(material), mirrored_(mirrored), kernel_(general_hex_kernel(options.instruction_set)),
-  position_(3 * solid.nodes.size()), velocity_(position_.size(), 0.), force_(position_.size(), 0.),
-  mass_(solid.nodes.size(), 0.), inverse_mass_(position_.size()),
+  hourglass_stiffness_(options.hourglass_coefficient *
+                       youngs_modulus(material.bulk_modulus, material.shear_modulus)),
+  shares_(options.shares), position_(3 * solid.nodes.size()), velocity_(position_.size(), 0.),
+  force_(position_.size(), 0.), mass_(solid.nodes.size(), 0.), inverse_mass_(position_.size()),
   strain_energy_(solid.cells.size(), 0.), hourglass_energy_(strain_energy_)
 {
   if (kernel_ == nullptr)
     throw InputError(std::string("This processor does not have the instruction set '") +
                      options.instruction_set + "'.");
-  build_blocks(options.hourglass_coefficient *
-                   youngs_modulus(material.bulk_modulus, material.shear_modulus),
-               options.shares);
+  build_blocks();
   centroid_ = Vector3::Zero();
   for (int node = 0; node < n_nodes(); ++node)
   {
@@ -58,8 +59,7 @@ HexahedralBody::HexahedralBody(const HexSolid &solid, const FiniteElementMateria
   rest();
 }
 
-void HexahedralBody::build_blocks(const double hourglass_stiffness,
-                                  const std::vector<double> &shares)
+void HexahedralBody::build_blocks()
 {
   const std::size_t n = solid_.cells.size();
   blocks_.resize((n + block_size - 1) / block_size);
@@ -68,48 +68,34 @@ void HexahedralBody::build_blocks(const double hourglass_stiffness,
     const auto &corners = solid_.cells[std::min(i, n - 1)];
     auto &block         = blocks_[i / block_size];
     const int lane      = i % block_size;
-    Eigen::Matrix<double, 3, 8> X;
+    const int cell      = static_cast<int>(std::min(i, n - 1));
+    const Hexahedron element(solid_, cell, hourglass_stiffness_);
     for (int a = 0; a < 8; ++a)
-    {
       block.entry[a][lane] = 3 * corners[a];
-      X.col(a)             = solid_.nodes[corners[a]];
-    }
-    const int cell          = static_cast<int>(std::min(i, n - 1));
-    const CellIntegrals sum = integrals(solid_, cell);
-    if (!(sum.volume > 0.) || !(sum.shape.minCoeff() > 0.))
-      throw InputError("Hexahedron " + std::to_string(cell + 1) +
-                       " of the mesh is folded: its volume or a part of it is not positive.\n  "
-                       "Mesh the body again with better elements.");
     if (i < n)
       for (int a = 0; a < 8; ++a)
-        mass_[corners[a]] += material_.density * sum.shape[a];
-
-    const Eigen::Matrix<double, 8, 3> B = sum.gradient / sum.volume;
-    constexpr int axes[7]               = {1, 2, 4, 6, 5, 3, 7}; // bits of r, s, t, st, rt, rs, rst
+        mass_[corners[a]] += material_.density * element.node_volume[a];
     for (int m = 0; m < 7; ++m)
     {
-      Eigen::Matrix<double, 8, 1> gamma;
-      for (int a = 0; a < 8; ++a)
-      {
-        gamma[a] = 1.;
-        for (int d = 0; d < 3; ++d)
-          if ((axes[m] >> d) & 1)
-            gamma[a] *= (a >> d) & 1 ? 1. : -1.;
-      }
-      const Vector3 gradient = B.transpose() * gamma / 8., reference = X * gamma;
+      const Vector3 gradient = element.gradient.transpose() * element.mode.col(m) / 8.;
       for (int d = 0; d < 3; ++d)
       {
         block.gradient[m][d][lane] = gradient[d];
         if (m >= 3)
-          block.reference[m - 3][d][lane] = reference[d];
+          block.reference[m - 3][d][lane] = element.reference(d, m - 3);
       }
     }
-    block.volume[lane]  = (shares.empty() ? 1. : shares[cell]) * sum.volume;
-    // E h/48 and E h/144 on a cube, where V B : B = 3 h/2.
-    const double size   = sum.volume * B.squaredNorm() / 1.5;
-    block.bending[lane] = hourglass_stiffness * size / 48.;
-    block.warping[lane] = hourglass_stiffness * size / 144.;
+    block.volume[lane]  = share(cell) * element.volume;
+    block.bending[lane] = element.bending;
+    block.warping[lane] = element.warping;
   }
+}
+
+Eigen::Matrix<double, 24, 24> HexahedralBody::stiffness(const int cell) const
+{
+  const double mu = material_.shear_modulus;
+  return Hexahedron(solid_, cell, hourglass_stiffness_)
+      .stiffness(material_.bulk_modulus - 2. / 3. * mu, mu, share(cell));
 }
 
 void HexahedralBody::set_motion(const RigidBody::Motion &motion)

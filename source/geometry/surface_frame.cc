@@ -16,6 +16,12 @@ void SurfaceFrame::add(const SurfaceFrame &other)
     quads.push_back(quad);
   }
   body.resize(quads.size(), last - 1);
+  if (!von_mises.empty() || !other.von_mises.empty()) // 0 where it is not known
+  {
+    von_mises.resize(quads.size() - other.quads.size(), 0.);
+    von_mises.insert(von_mises.end(), other.von_mises.begin(), other.von_mises.end());
+    von_mises.resize(quads.size(), 0.);
+  }
   further_outlines.push_back(other.outline);
 }
 } // namespace ricochet

@@ -3,6 +3,7 @@
 
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/number_text.h"
+#include "ricochet/base/units.h"
 #include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
@@ -105,10 +106,12 @@ std::vector<dealii::DataOutBase::Patch<2, 3>> patches_of(const SurfaceFrame &sur
     patch.reference_cell =
         dealii::ReferenceCells::Quadrilateral; // by default none, and no cell would be written
     // Body 0, so that colouring by body works for plates and projectile together.
-    patch.data.reinit(1, 4);
-    if (!surface.body.empty())
-      for (unsigned int v = 0; v < 4; ++v)
-        patch.data(0, v) = surface.body[i];
+    const bool has_stress = !surface.von_mises.empty();
+    patch.data.reinit(has_stress ? 2 : 1, 4);
+    for (unsigned int v = 0; !surface.body.empty() && v < 4; ++v)
+      patch.data(0, v) = static_cast<float>(surface.body[i]);
+    for (unsigned int v = 0; has_stress && v < 4; ++v)
+      patch.data(1, v) = static_cast<float>(surface.von_mises[i] / units::MPa);
   }
   return patches;
 }
@@ -217,7 +220,10 @@ void VtuWriter::write_projectile(const std::string &file, const double time,
                                  const SurfaceFrame &surface) const
 {
   std::ostringstream text;
-  dealii::DataOutBase::write_vtu(patches_of(surface), {"body"}, {}, vtk_flags(time), text);
+  std::vector<std::string> names{"body"};
+  if (!surface.von_mises.empty())
+    names.emplace_back("von Mises stress [MPa]");
+  dealii::DataOutBase::write_vtu(patches_of(surface), names, {}, vtk_flags(time), text);
   write_file(directory_ / file, signed_text(text.str()));
 }
 

@@ -39,21 +39,6 @@ std::vector<Vector3> outline_of(std::vector<Vector3> points)
 }
 } // namespace
 
-std::vector<SurfaceQuad> outer_faces(const HexSolid &mesh, const bool mirrored)
-{
-  auto faces = surface_of(mesh);
-  if (mirrored)
-    faces.erase(std::remove_if(faces.begin(), faces.end(),
-                               [&](const SurfaceQuad &quad)
-                               {
-                                 return std::all_of(quad.begin(), quad.end(),
-                                                    [&](const int node)
-                                                    { return mesh.nodes[node].y() == 0.; });
-                               }),
-                faces.end());
-  return faces;
-}
-
 DeformableProjectile::DeformableProjectile(const MPI_Comm communicator, const Scene &scene,
                                            const std::vector<Vector3> &nodes,
                                            const std::vector<SurfaceQuad> &faces,

@@ -72,7 +72,4 @@ private:
   std::vector<SurfaceContact> contacts_; // per plate
   double work_ = 0.;                     // of friction on the body, both halves [J]
 };
-
-/// Faces of a mesh that points can touch: without those which the symmetry plane cuts open.
-std::vector<SurfaceQuad> outer_faces(const HexSolid &mesh, bool mirrored);
 } // namespace ricochet

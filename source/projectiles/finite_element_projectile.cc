@@ -2,21 +2,19 @@
 #include "finite_element_projectile.h"
 
 #include "ricochet/dynamics/largest_frequency.h"
+#include "skin.h"
 
 #include <algorithm>
 
 namespace ricochet
 {
-namespace
-{
-FiniteElementMaterial material_of(const Scene &scene, const HexSolid &mesh)
+FiniteElementMaterial elastic_material(const Scene &scene, const HexSolid &mesh)
 {
   const auto &p  = scene.projectile;
   const double E = p.youngs_modulus, nu = p.poissons_ratio;
   const double own = scene.symmetric ? p.mass / 2. : p.mass;
   return {own / volume(mesh), E / (3. * (1. - 2. * nu)), E / (2. * (1. + nu))};
 }
-} // namespace
 
 FiniteElementProjectile::FiniteElementProjectile(const MPI_Comm communicator, const Scene &scene,
                                                  const HexSolid &mesh, const Motion &start,
@@ -24,7 +22,7 @@ FiniteElementProjectile::FiniteElementProjectile(const MPI_Comm communicator, co
                                                  const std::vector<PlateContact> &plates) :
   DeformableProjectile(communicator, scene, mesh.nodes, outer_faces(mesh, scene.symmetric), law,
                        plates),
-  elastic_(mesh, material_of(scene, mesh), scene.symmetric)
+  elastic_(mesh, elastic_material(scene, mesh), scene.symmetric)
 {
   for (int node = 0; node < elastic_.n_nodes(); ++node)
   {

@@ -8,6 +8,9 @@
 
 namespace ricochet
 {
+/// Of a mesh that stands for all that is computed of the projectile: its mass evenly spread.
+FiniteElementMaterial elastic_material(const Scene &scene, const HexSolid &mesh);
+
 class FiniteElementProjectile : public DeformableProjectile
 {
 public:

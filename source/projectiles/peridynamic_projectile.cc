@@ -4,6 +4,7 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/bodies/nearest_rigid_motion.h"
 #include "ricochet/dynamics/largest_frequency.h"
+#include "skin.h"
 
 #include <Eigen/Dense>
 
@@ -17,30 +18,6 @@ namespace ricochet
 {
 namespace
 {
-/// Nodes on the outer faces only, numbered anew.
-struct Skin
-{
-  std::vector<Vector3> nodes;
-  std::vector<int> mesh_nodes; // their numbers in the mesh
-  std::vector<SurfaceQuad> faces;
-
-  Skin(const HexSolid &mesh, const bool mirrored) : faces(outer_faces(mesh, mirrored))
-  {
-    std::vector<int> number(mesh.nodes.size(), -1);
-    for (auto &quad : faces)
-      for (int &node : quad)
-      {
-        if (number[node] < 0)
-        {
-          number[node] = static_cast<int>(nodes.size());
-          nodes.push_back(mesh.nodes[node]);
-          mesh_nodes.push_back(node);
-        }
-        node = number[node];
-      }
-  }
-};
-
 CoupledProjectileBody::Parameters parameters_of(const Scene &scene)
 {
   const auto &p  = scene.projectile;

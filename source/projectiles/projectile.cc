@@ -2,6 +2,7 @@
 #include "ricochet/projectiles/projectile.h"
 
 #include "finite_element_projectile.h"
+#include "modal_projectile.h"
 #include "peridynamic_projectile.h"
 #include "ricochet/projectiles/projectile_mesh.h"
 #include "rigid_projectile.h"
@@ -21,9 +22,11 @@ Projectile::Motion start_of(const ImpactParameters &impact)
   Projectile::Motion start;
   start.position    = Vector3::Zero();
   start.orientation = Eigen::AngleAxisd(inclination, Vector3::UnitY());
-  start.velocity    = impact.speed *
+  if (impact.yaw_angle != 0.)
+    start.orientation = start.orientation * Eigen::AngleAxisd(impact.yaw_angle, Vector3::UnitZ());
+  start.velocity = impact.speed *
                    Vector3(std::cos(impact.incidence_angle), 0., -std::sin(impact.incidence_angle));
-  start.spin = Vector3::Zero();
+  start.spin = impact.spin * (start.orientation * Vector3::UnitX());
   return start;
 }
 
@@ -77,12 +80,15 @@ std::unique_ptr<Projectile> make_projectile(const MPI_Comm communicator, const S
   const double buried = -lowest_node(mesh, start.orientation) - start.position.z(); // [m]
   if (buried > 0.)
     start.position -= buried / std::sin(impact.incidence_angle) * start.velocity.normalized();
-  if (scene.projectile.model != ProjectileModel::finite_elements)
+  if (scene.projectile.model == ProjectileModel::peridynamic ||
+      scene.projectile.model == ProjectileModel::peridynamic_nose)
     return std::make_unique<PeridynamicProjectile>(communicator, scene, mesh, start, law, plates);
   Vector3 centre = centroid(mesh);
   if (scene.symmetric)
     centre.y() = 0.;
   start.position += start.orientation * centre;
+  if (scene.projectile.model == ProjectileModel::modal)
+    return std::make_unique<ModalProjectile>(communicator, scene, mesh, start, law, plates);
   return std::make_unique<FiniteElementProjectile>(communicator, scene, mesh, start, law, plates);
 }
 } // namespace ricochet

@@ -8,7 +8,8 @@ namespace ricochet
 {
 namespace
 {
-void check_angles(const ImpactParameters &impact, const Entry &incidence, const Entry &attack)
+void check_angles(const ImpactParameters &impact, const Entry &incidence, const Entry &attack,
+                  const Entry &yaw)
 {
   constexpr double right_angle = 90. * units::deg * (1. + 1e-12);
   if (impact.incidence_angle > right_angle)
@@ -17,6 +18,17 @@ void check_angles(const ImpactParameters &impact, const Entry &incidence, const 
   if (std::abs(impact.attack_angle) >= 90. * units::deg)
     attack.fail("The projectile would fly sideways or backwards.",
                 "Choose an angle between -90 deg and 90 deg.");
+  if (std::abs(impact.yaw_angle) >= 90. * units::deg)
+    yaw.fail("The projectile would fly sideways or backwards.",
+             "Choose an angle between -90 deg and 90 deg.");
+}
+
+/// What the mirror image would not do.
+void check_symmetry(const Scene &scene, const double value, const Entry &entry)
+{
+  if (scene.symmetric && value != 0.)
+    entry.fail("A symmetric model can neither yaw nor spin.",
+               "Compute the whole plate with 'set Symmetric = false', or leave this entry out.");
 }
 
 void check_entry_point(const ImpactParameters &impact, const Scene &scene, const Entry &point)
@@ -46,6 +58,14 @@ Section impact_section(ImpactParameters &impact, const unsigned int number, cons
   const Entry &attack = in.with_default(
       "Attack angle", quantity(impact.attack_angle, Dimension::angle, Limit::any), "0 deg",
       "Angle between the projectile's axis and its velocity, nose up positive");
+  const Entry &yaw = in.with_default(
+      "Yaw angle", quantity(impact.yaw_angle, Dimension::angle, Limit::any), "0 deg",
+      "Angle of the projectile's axis out of the plane of flight, towards +y positive; needs the "
+      "full model");
+  const Entry &spin = in.with_default(
+      "Spin", quantity(impact.spin, Dimension::angular_velocity, Limit::any), "0 rad/s",
+      "Angular velocity about the projectile's axis, right-handed seen along the flight positive; "
+      "needs the full model");
   const Entry &point = in.required(
       "Entry point",
       quantities({&impact.entry_x, &impact.entry_y}, {"x", "y"}, Dimension::length, Limit::any),
@@ -55,8 +75,14 @@ Section impact_section(ImpactParameters &impact, const unsigned int number, cons
                   "0.05 mm",
                   "Distance between the projectile's lowest point and the plate at the start");
 
-  in.check([&] { check_angles(impact, incidence, attack); });
-  in.check_with_others([&] { check_entry_point(impact, scene, point); });
+  in.check([&] { check_angles(impact, incidence, attack, yaw); });
+  in.check_with_others(
+      [&]
+      {
+        check_entry_point(impact, scene, point);
+        check_symmetry(scene, impact.yaw_angle, yaw);
+        check_symmetry(scene, impact.spin, spin);
+      });
   return in;
 }
 } // namespace ricochet

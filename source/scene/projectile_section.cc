@@ -20,6 +20,7 @@ const Words<NoseShape> nose_shapes{{NoseShape::ogive, "ogive"},
                                    {NoseShape::sphere, "sphere"}};
 
 const Words<ProjectileModel> models{{ProjectileModel::rigid, "rigid"},
+                                    {ProjectileModel::modal, "modal"},
                                     {ProjectileModel::finite_elements, "finite elements"},
                                     {ProjectileModel::peridynamic_nose, "peridynamic nose"},
                                     {ProjectileModel::peridynamic, "peridynamic"}};
@@ -33,14 +34,16 @@ struct ProjectileEntries
   ProjectileParameters &projectile;
   double density = 0., caliber_radius = 0.; // [kg/m^3], [diameters]
   double refinement = 0., mesh_unit = 0.;   // [-], [m]
-  std::string mesh_file = {};
+  std::string mesh_file = {}, modes = {};
   const Entry *nose = nullptr, *length = nullptr, *nose_length = nullptr, *crh = nullptr,
               *mass = nullptr, *model = nullptr, *driven = nullptr, *poissons_ratio = nullptr,
-              *peridynamic_length = nullptr, *refined = nullptr, *mesh = nullptr;
+              *peridynamic_length = nullptr, *n_modes = nullptr, *yield_stress = nullptr,
+              *refined = nullptr, *mesh = nullptr;
 
   void check_lengths() const;
   void read_shape_and_mass() const;
   void read_peridynamic_length() const;
+  void read_modes() const;
   void read_mesh() const;
   void check_deformable() const;
 };
@@ -118,6 +121,25 @@ void ProjectileEntries::read_peridynamic_length() const
         "Choose a length between the two, or another " + in_quotes(model->path()) + ".");
 }
 
+/// A whole number, or as many as cost no time step.
+void ProjectileEntries::read_modes() const
+{
+  if (modes != "automatic" && projectile.model != ProjectileModel::modal)
+    n_modes->fail("A projectile that is " + in_quotes(model->text()) + " is not made of modes.",
+                  "Remove the entry, or choose 'Model = modal'.");
+  if (yield_stress->is_given() && projectile.model != ProjectileModel::modal)
+    yield_stress->fail("Stresses are known of a modal projectile alone.",
+                       "Remove the entry, or choose 'Model = modal'.");
+  if (modes == "automatic")
+    return;
+  const bool is_number = !modes.empty() && modes.size() <= 6 &&
+                         modes.find_first_not_of("0123456789") == std::string::npos;
+  projectile.modes = is_number ? std::stoi(modes) : 0;
+  if (projectile.modes == 0)
+    n_modes->fail("This is no number of modes.",
+                  "Choose 'automatic' or a whole number from 1; 'Model = rigid' has none.");
+}
+
 /// Names of files are relative to the parameter file that gives them.
 void ProjectileEntries::read_mesh() const
 {
@@ -135,6 +157,7 @@ void ProjectileEntries::check_deformable() const
   if (projectile.model != ProjectileModel::peridynamic_nose && peridynamic_length->is_given())
     peridynamic_length->fail("A projectile that is " + in_quotes(model->text()) + " has none.",
                              "Remove the entry, or choose 'Model = peridynamic nose'.");
+  read_modes();
   if (projectile.model == ProjectileModel::rigid)
     return;
   if (projectile.driven)
@@ -187,8 +210,8 @@ void add_material_entries(Section &in, ProjectileEntries &rows)
 {
   auto &projectile = rows.projectile;
   rows.model       = &in.with_default("Model", choice(projectile.model, models), "rigid",
-                                      "Whether it deforms; all but the first are elastic and "
-                                            "cost time steps");
+                                      "Whether it deforms; all but the first are elastic, "
+                                            "and all but the first two cost time steps");
   rows.driven      = &in.with_default(
            "Prescribed velocity", flag(projectile.driven), "false",
            "Whether it keeps its velocity whatever it meets, like a tool; for a rigid one");
@@ -209,9 +232,19 @@ void add_material_entries(Section &in, ProjectileEntries &rows)
       "How far a peridynamic nose reaches back from the tip, rounded to whole layers of elements; "
       "by default the nose length");
 
+  rows.n_modes = &in.with_default(
+      "Modes", text(rows.modes, "'automatic' or a whole number"), "automatic",
+      "Of a modal projectile, how many of its lowest eigenmodes it has; automatic: those below "
+      "half "
+      "of the largest frequency that the plates' step allows, which cost no time step");
+
+  rows.yield_stress = &in.optional(
+      "Yield stress", quantity(projectile.yield_stress, Dimension::stress, Limit::positive),
+      "1.5 GPa", "Of a modal projectile, which is elastic: a warning when it is exceeded");
+
   using Models = std::vector<ProjectileModel>;
   const Models with_points{ProjectileModel::peridynamic_nose, ProjectileModel::peridynamic};
-  Models deformable{ProjectileModel::finite_elements};
+  Models deformable{ProjectileModel::modal, ProjectileModel::finite_elements};
   deformable.insert(deformable.end(), with_points.begin(), with_points.end());
   in.all_of({&stiffness, rows.poissons_ratio}, when(*rows.model, models, deformable));
   in.all_of({&spacing}, when(*rows.model, models, with_points));

@@ -38,6 +38,9 @@ constexpr Unit units[] = {
     {Dimension::mass, "kg", 1.},
     {Dimension::angle, "deg", degree},
     {Dimension::angle, "rad", 1.},
+    {Dimension::angular_velocity, "rad/s", 1.},
+    {Dimension::angular_velocity, "rev/s", 360. * degree},
+    {Dimension::angular_velocity, "rpm", 6. * degree},
     {Dimension::speed, "m/s", 1.},
     {Dimension::speed, "km/s", 1e3},
     {Dimension::speed, "mm/us", 1e3},
@@ -118,6 +121,8 @@ std::string dimension_name(const Dimension dimension)
       return "a mass";
     case Dimension::angle:
       return "an angle";
+    case Dimension::angular_velocity:
+      return "an angular velocity";
     case Dimension::speed:
       return "a speed";
     case Dimension::slowness:

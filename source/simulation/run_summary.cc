@@ -163,6 +163,14 @@ const std::vector<SummaryRow<RunEnd>> rows{
      "at none"},
     {"hourglass_share_us", "us", [](E e) -> Json { return in_us_or_null(e.notes.hourglass.time); },
      "when that was"},
+    {"projectile_von_mises_MPa", "MPa",
+     [](E e) -> Json
+     {
+       const double largest = e.simulation.projectile().largest_von_mises();
+       return largest > 0. ? Json(largest / MPa) : Json();
+     },
+     "largest von Mises stress below the surface of a modal projectile, at all steps; null: of no "
+     "other"},
     {"broken_bonds", "-", [](E e) -> Json { return std::llround(e.totals.broken_bonds); },
      "each counted once, at the last record"},
     {"damaged_boxes_mm", "mm", [](E e) { return damaged_boxes(e.simulation); },

@@ -25,10 +25,13 @@ void Simulation::build_projectiles()
   }
   for (std::size_t i = 0; i < scene_.n_projectiles(); ++i)
   {
-    const double speed = scene_.impact_at(i).speed;
-    initial_energy_ += 0.5 * scene_.projectile_at(i).mass * speed * speed;
+    const auto &impact = scene_.impact_at(i);
     projectiles_.push_back(
         make_projectile(communicator_, scene_.with_only(i), *friction_law_, plate_contacts));
+    const auto &body = *projectiles_.back();
+    initial_energy_ += impact.spin != 0.
+                           ? body.multiplicity() * body.energies(/*dt=*/0.).kinetic
+                           : 0.5 * scene_.projectile_at(i).mass * impact.speed * impact.speed;
     refuse_overlap(i);
   }
 }

@@ -62,6 +62,7 @@ void Simulation::choose_time_step()
   double stiffest = 0.; // squared frequency of a projectile [1/s^2]
   for (const auto &projectile : projectiles_)
   {
+    projectile->resolve(largest);
     time_step_info_.seconds_per_step += projectile->seconds_per_step();
     stiffest = std::max(stiffest, projectile->squared_frequency());
   }

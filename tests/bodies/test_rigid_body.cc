@@ -41,35 +41,30 @@ RigidBody spinning_top()
 
 TEST(RigidBody, TorqueFreeTopPrecessesAsInTheClosedForm)
 {
-  double error[3], energy_error[3];
+  double error[3];
   const double end = 2e-3; // several turns
   for (const int halving : {0, 1, 2})
   {
-    RigidBody body        = spinning_top();
-    const auto start      = body;
-    const int n_steps     = 4000 << halving;
-    const double dt       = end / n_steps;
-    const double energy   = rotation_energy(body);
-    energy_error[halving] = 0.;
+    RigidBody body    = spinning_top();
+    const auto start  = body;
+    const int n_steps = 4000 << halving;
+    const double dt   = end / n_steps;
+    double energy     = 0.;
     for (int i = 0; i < n_steps; ++i)
     {
       body.advance(Vector3::Zero(), Vector3::Zero(), dt, dt);
-      energy_error[halving] =
-          std::max(energy_error[halving], std::abs(rotation_energy(body) / energy - 1.));
+      // That of the half steps, which differs from the start's by the square of a step's angle.
+      energy = i == 0 ? rotation_energy(body) : energy;
+      ASSERT_NEAR(rotation_energy(body), energy, 1e-11 * energy);
       ASSERT_EQ(body.angular_momentum(), start.angular_momentum());
       ASSERT_NEAR(body.motion().orientation.norm(), 1., 1e-15);
     }
     error[halving] = (body.axis() - precessed_axis(start, end)).norm();
   }
   for (const int halving : {0, 1})
-  {
     EXPECT_GT(error[halving], 3.7 * error[halving + 1]); // second order
-    EXPECT_GT(energy_error[halving], 3.5 * energy_error[halving + 1]);
-  }
-  // 0.016 rad per step: angles off by its square over the ten turns, the energy by a tenth of its
-  // square.
+  // 0.016 rad per step: angles off by its square over the ten turns.
   EXPECT_LT(error[0], 2e-3);
-  EXPECT_LT(energy_error[0], 5e-5);
 }
 
 TEST(RigidBody, SpinAboutAPrincipalAxisIsExact)

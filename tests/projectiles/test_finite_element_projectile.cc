@@ -57,12 +57,21 @@ TEST_P(ElasticImpact, EnergyAndMomentaBalance)
   EXPECT_LT(most_elastic, 0.05 * simulation.energies().initial);
 }
 
+/// Of those that elements take.
+Scene small_steps(Scene scene)
+{
+  scene.time.safety_factor *= 0.25;
+  return scene;
+}
+
 class DeformableHalfModel : public testing::TestWithParam<Scene>
 {
 };
 
 INSTANTIATE_TEST_SUITE_P(Models, DeformableHalfModel,
-                         testing::Values(deformable(small_scene()), peridynamic(small_scene()),
+                         testing::Values(deformable(small_scene()),
+                                         small_steps(modal(small_scene())),
+                                         peridynamic(small_scene()),
                                          peridynamic_nose(small_scene())),
                          [](const auto &info) { return model_name(info.param); });
 
@@ -104,6 +113,7 @@ class DeformableMotion : public testing::TestWithParam<Scene>
 
 INSTANTIATE_TEST_SUITE_P(Models, DeformableMotion,
                          testing::Values(deformable(symmetric(small_scene())),
+                                         modal(symmetric(small_scene())),
                                          peridynamic(symmetric(small_scene())),
                                          peridynamic_nose(symmetric(small_scene()))),
                          [](const auto &info) { return model_name(info.param); });

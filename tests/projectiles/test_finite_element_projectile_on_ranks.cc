@@ -35,8 +35,9 @@ std::vector<double> history(const MPI_Comm communicator, const Scene &scene)
 TEST(RankIndependence, DeformableProjectileIsExactlyTheSame)
 {
   for (const auto &scene :
-       {deformable(small_scene()), deformable(symmetric(two_plates())),
-        peridynamic(symmetric(small_scene())), peridynamic_nose(symmetric(small_scene()))})
+       {deformable(small_scene()), deformable(symmetric(two_plates())), modal(small_scene()),
+        modal(symmetric(two_plates())), peridynamic(symmetric(small_scene())),
+        peridynamic_nose(symmetric(small_scene()))})
   {
     std::vector<double> all = history(MPI_COMM_WORLD, scene), one(all.size());
     int rank;

@@ -16,8 +16,8 @@ class StartOfProjectile : public testing::TestWithParam<Scene>
 };
 
 INSTANTIATE_TEST_SUITE_P(Models, StartOfProjectile,
-                         testing::Values(small_scene(), deformable(small_scene()),
-                                         peridynamic(small_scene()),
+                         testing::Values(small_scene(), modal(small_scene()),
+                                         deformable(small_scene()), peridynamic(small_scene()),
                                          peridynamic_nose(small_scene())),
                          [](const auto &model) { return model_name(model.param); });
 
@@ -60,6 +60,21 @@ TEST_P(StartOfProjectile, ItFliesToTheEntryPointFromWhereverItStarts)
   const Vector3 between        = near->motion().position - far->motion().position;
   EXPECT_NEAR(between.z(), -4e-3, 1e-12);
   EXPECT_LT(between.cross(near->motion().velocity).norm(), 1e-12 * 300.);
+}
+
+TEST_P(StartOfProjectile, ItYawsAndSpinsAboutItsAxis)
+{
+  const auto law         = make_friction_law(GetParam().contact.friction);
+  Scene scene            = GetParam();
+  scene.impact.yaw_angle = 5. * units::deg;
+  scene.impact.spin      = 1000.;
+  const auto projectile  = make_projectile(MPI_COMM_SELF, scene, *law, {});
+  const auto &motion     = projectile->motion();
+  const Vector3 axis     = motion.orientation * Vector3::UnitX();
+  EXPECT_NEAR(axis.y(), std::sin(scene.impact.yaw_angle), 1e-7); // of points: a root of rounding
+  EXPECT_NEAR(std::atan2(axis.z(), axis.x()), -scene.impact.incidence_angle, 1e-7);
+  EXPECT_LT((motion.spin - 1000. * axis).norm(), 1e-3);
+  EXPECT_GE(projectile->bounding_box().first.z(), -1e-15);
 }
 
 TEST_P(StartOfProjectile, EnergyAndMomentumAreThoseOfThePoint)

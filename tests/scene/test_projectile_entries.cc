@@ -35,6 +35,31 @@ TEST(ProjectileEntries, ModelIsRigidUnlessSaid)
   EXPECT_DOUBLE_EQ(lattice.spacing, 0.75e-3);
 }
 
+TEST(ProjectileEntries, ModalOneHasAsManyModesAsSaid)
+{
+  const std::vector<std::string> modal{"Projectile/Model=modal", E, nu};
+  const auto by_default = read_scene(scene_with(modal)).projectile;
+  EXPECT_EQ(by_default.model, ProjectileModel::modal);
+  EXPECT_EQ(by_default.modes, 0); // automatic
+  EXPECT_EQ(by_default.yield_stress, 0.);
+  const auto given =
+      read_with(with(modal, {"Projectile/Modes=12", "Projectile/Yield stress=1.5 GPa"})).projectile;
+  EXPECT_EQ(given.modes, 12);
+  EXPECT_EQ(given.yield_stress, 1.5e9);
+  EXPECT_EQ(read_with(with(modal, {"Projectile/Modes=automatic"})).projectile.modes, 0);
+  for (const char *wrong : {"0", "-3", "2.5", "many", "99999999999"})
+    expect_scene_error(with(modal, {std::string("Projectile/Modes=") + wrong}),
+                       {"Projectile/Modes", wrong, "number of modes", "automatic"});
+  expect_scene_error(
+      with(elements, {"Projectile/Modes=4"}),
+      {"Projectile/Modes", "'finite elements' is not made of modes", "Model = modal"});
+  expect_scene_error(with(elements, {"Projectile/Yield stress=1 GPa"}),
+                     {"Projectile/Yield stress", "modal projectile alone"});
+  expect_scene_error({"Projectile/Model=modal", nu, "Projectile/Young's modulus=0 GPa"},
+                     {"Projectile/Young's modulus", "above 0"});
+  expect_scene_error({"Projectile/Model=modal"}, {"Young's modulus"});
+}
+
 TEST(ProjectileEntries, PeridynamicNoseReachesBackAsFarAsSaid)
 {
   const std::vector<std::string> nose{"Projectile/Model=peridynamic nose", E, nu,

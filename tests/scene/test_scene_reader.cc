@@ -211,6 +211,20 @@ TEST(SceneReader, EntryPointIsOnThePlate)
                      {"not on the first plate"});
 }
 
+TEST(SceneReader, YawAndSpinNeedTheFullModel)
+{
+  const auto impact =
+      read_with({"Symmetric=false", "Impact/Yaw angle=3 deg", "Impact/Spin=100 rev/s"}).impact;
+  EXPECT_NEAR(impact.yaw_angle, 3. * M_PI / 180., 1e-15);
+  EXPECT_NEAR(impact.spin, 200. * M_PI, 1e-12 * impact.spin);
+  EXPECT_EQ(read_with({}).impact.spin, 0.);
+  for (const char *entry : {"Yaw angle=3 deg", "Spin=100 rev/s"})
+    expect_scene_error({std::string("Impact/") + entry},
+                       {"Impact/", "neither yaw nor spin", "Symmetric = false"});
+  expect_scene_error({"Symmetric=false", "Impact/Yaw angle=95 deg"},
+                     {"Impact/Yaw angle", "sideways"});
+}
+
 TEST(SceneReader, SymmetricModelIsHitInItsMidPlane)
 {
   expect_scene_error({"Impact/Entry point=50 mm, 1 mm"},

@@ -117,6 +117,11 @@ TEST(Checkpoint, OfAProjectileOfElements)
   expect_no_difference(symmetric(deformable(small_scene())), true);
 }
 
+TEST(Checkpoint, OfAModalProjectile)
+{
+  expect_no_difference(symmetric(modal(small_scene())), true);
+}
+
 TEST(Checkpoint, OfAProjectileOfPointsAndElements)
 {
   expect_no_difference(symmetric(peridynamic_nose(small_scene())), true);

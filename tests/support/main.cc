@@ -53,6 +53,8 @@ void start_alone()
 
 int main(int argc, char **argv)
 {
+  // What tests leave in a cache is no user's affair.
+  setenv("XDG_CACHE_HOME", RICOCHET_BINARY_DIR "/tests/cache", /*overwrite=*/1);
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
     start_alone();
   const Mpi mpi(argc, argv, 1);

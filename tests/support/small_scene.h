@@ -59,6 +59,14 @@ inline Scene deformable(Scene scene)
   return scene;
 }
 
+/// The same with as many modes as cost no time step.
+inline Scene modal(Scene scene)
+{
+  scene                  = deformable(scene);
+  scene.projectile.model = ProjectileModel::modal;
+  return scene;
+}
+
 /// The same of peridynamic points.
 inline Scene peridynamic(Scene scene)
 {
@@ -85,6 +93,8 @@ inline const char *model_name(const Scene &scene)
   {
     case ProjectileModel::rigid:
       return "Rigid";
+    case ProjectileModel::modal:
+      return "Modes";
     case ProjectileModel::finite_elements:
       return "Elements";
     case ProjectileModel::peridynamic_nose:

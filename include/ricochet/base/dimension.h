@@ -13,6 +13,7 @@ enum class Dimension
   time,
   mass,
   angle,
+  angular_velocity,
   speed,
   slowness, // inverse speed
   density,

@@ -28,14 +28,19 @@ public:
 
   /// `mass` in kg, > 0. `planar`: motion in the plane y = 0 only.
   RigidBody(const BodyOfRevolution &body, double mass, const Motion &start, bool planar);
+  /// The same of a body that is no perfect one of revolution: its moments of inertia about the body
+  /// axes, which are principal ones [kg m^2].
+  RigidBody(const BodyOfRevolution &body, double mass, const Vector3 &inertia, const Motion &start,
+            bool planar);
 
   /// From now on it keeps its velocity and angular momentum, whatever acts on it.
   void drive() { driven_ = true; }
   bool is_driven() const { return driven_; } // see drive()
 
   /// Kick then drift: force [N] and moment about the centroid [N m], dt in s. The spin of the half
-  /// step is found from the angular momentum with the orientation of the half step, so that
-  /// torque-free motion keeps the momentum exactly and the energy to second order in dt.
+  /// step is found from the angular momentum with the orientation of the half step, found
+  /// from that spin: torque-free motion keeps the momentum exactly, and a body of revolution its
+  /// energy.
   void advance(const Vector3 &force, const Vector3 &moment, double kick, double drift);
 
   /// The motion with the velocities of the present time instead of half a step before: half a kick
@@ -66,7 +71,6 @@ public:
   std::pair<Vector3, Vector3> bounding_box() const;
 
 private:
-  Vector3 inertia() const; // about the body axes [kg m^2]
   Vector3 spin_from_momentum(const Eigen::Quaterniond &orientation,
                              const Vector3 &angular_momentum) const;
   /// Removes what a planar motion may not do.
@@ -74,6 +78,7 @@ private:
 
   BodyOfRevolution body_;
   double mass_;
+  Vector3 inertia_; // about the body axes [kg m^2]
   bool planar_, driven_ = false;
   Motion motion_;
   Vector3 angular_momentum_;

@@ -57,9 +57,14 @@ public:
   /// Velocities after a kick of the present forces [s], three numbers per node [m/s].
   std::vector<double> velocity_after(double kick) const;
 
-  const HexSolid &solid() const { return solid_; }            // the reference configuration
-  bool mirrored() const { return mirrored_; }                 // see the constructor
-  const GeneralHexKernel &kernel() const { return *kernel_; } // in use
+  /// Of one cell at the reference configuration: forces are minus this times small displacements,
+  /// entry 3 corner + component [N/m].
+  Eigen::Matrix<double, 24, 24> stiffness(int cell) const;
+
+  const HexSolid &solid() const { return solid_; }                    // the reference configuration
+  const FiniteElementMaterial &material() const { return material_; } // of all cells
+  bool mirrored() const { return mirrored_; }                         // see the constructor
+  const GeneralHexKernel &kernel() const { return *kernel_; }         // in use
   int n_nodes() const { return static_cast<int>(solid_.nodes.size()); } // of this half
   double node_mass(const int node) const { return mass_[node]; }        // [kg]
   /// Of component i = 3 node + d; 0 where it is held [1/kg].
@@ -74,12 +79,15 @@ public:
   const std::vector<double> &force() const { return force_; }       // [N]
 
 private:
-  void build_blocks(double hourglass_stiffness, const std::vector<double> &shares);
+  void build_blocks();
+  double share(const int cell) const { return shares_.empty() ? 1. : shares_[cell]; }
 
   HexSolid solid_;
   FiniteElementMaterial material_;
   bool mirrored_;
   const GeneralHexKernel *kernel_;
+  double hourglass_stiffness_; // [Pa]
+  std::vector<double> shares_; // see Options
   std::vector<GeneralHexBlock> blocks_;
   std::vector<double> position_, velocity_, force_;
   std::vector<double> mass_, inverse_mass_; // per node, per component

@@ -15,6 +15,7 @@ struct SurfaceFrame
 {
   std::vector<Vector3> vertices;         // current [m]
   std::vector<std::array<int, 4>> quads; // vertex numbers, around each
+  std::vector<double> von_mises;         // of each of these [Pa]; none: not known
   std::vector<Vector3> outline;          // closed polygon [m]
   // Of several projectiles in one frame:
   std::vector<int> body = {}; // per quad: 0, -1, -2 and so on; without numbers all are 0

@@ -46,12 +46,19 @@ public:
   /// Work of friction on body and points so far, both halves; minus the heat [J]. Collective.
   virtual double friction_work() const                                              = 0;
 
+  /// Tells the largest squared frequency of the plates, contact included [1/s^2]: a projectile that
+  /// picks what it resolves picks now. Call once, before the first step. Collective.
+  virtual void resolve(double /*squared_frequency*/) {}
   /// Largest squared frequency of the body itself, contact springs included; 0 if rigid [1/s^2].
   virtual double squared_frequency() const = 0;
   /// What it is computed as, in words, both halves: "1232 hexahedra"; empty if rigid.
   virtual std::string parts() const        = 0;
+  /// More of it, whole lines for `check`.
+  virtual std::string description() const { return ""; }
+  /// The largest von Mises stress below its surface so far; 0 if it is not known [Pa].
+  virtual double largest_von_mises() const { return 0.; }
   /// Measured, of the body's internal forces alone [s].
-  virtual double seconds_per_step() const  = 0;
+  virtual double seconds_per_step() const = 0;
 
 protected:
   /// `body`: the undeformed shape; `mass` of the whole [kg].

@@ -93,6 +93,7 @@ struct ZoneParameters
 enum class ProjectileModel
 {
   rigid,
+  modal, // and its lowest eigenmodes
   finite_elements,
   peridynamic_nose, // with a shank of finite elements
   peridynamic
@@ -108,8 +109,10 @@ struct ProjectileParameters
   // Of a deformable one:
   double youngs_modulus     = 0.; // [Pa]
   double poissons_ratio     = 0.; // [-]
+  double yield_stress       = 0.; // of a modal one, beyond which the user is warned; 0: none [Pa]
   double spacing            = 0.; // dx of the points of a peridynamic one [m]
   double peridynamic_length = 0.; // of a peridynamic nose, from the tip [m]
+  int modes                 = 0;  // of a modal one; 0: as many as cost no time step
   int refinement            = 2;  // of the generated mesh, from 1
   HexSolid mesh = {}; // read from a file, axis along x; no cells: generated from the shape
 };
@@ -123,6 +126,8 @@ struct ImpactParameters
   double entry_x;         // distance of the entry point from the near edge [m]
   double entry_y;         // distance of the entry point from the mid-plane y = 0 [m]
   double clearance;       // between the lowest point of the projectile and the plate at t = 0 [m]
+  double yaw_angle = 0.;  // of the axis out of the plane of flight, positive towards +y [rad]
+  double spin      = 0.; // about the axis, positive: right-handed along the tip's direction [rad/s]
 };
 
 /// Of the sections 'Projectile N' and 'Impact N': one projectile and how it arrives.
