@@ -8,21 +8,18 @@
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
 #include "ricochet/output/result_directory.h"
-#include "ricochet/output/table.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/study_file.h"
 #include "run.h"
 #include "stability_run.h"
-#include "study_plates.h"
+#include "study_table.h"
 #include "warning.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <sstream>
 
 namespace ricochet
@@ -30,10 +27,6 @@ namespace ricochet
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-const std::vector<std::string> default_columns{"outcome",   "exit_speed_m_s",  "exit_angle_deg",
-                                               "pitch_deg", "max_depth_mm",    "path_mm",
-                                               "time_us",   "energy_residual", "core_seconds"};
 
 std::string read_text(const std::filesystem::path &path)
 {
@@ -88,19 +81,8 @@ public:
         const StudyOptions &options) :
     communicator_(communicator),
     parameters_(parameters), options_(options), directory_(parameters.output_directory),
-    plates_(parameters), speaks_(rank_in(communicator) == 0), summaries_(parameters.cases.size())
+    table_(parameters), speaks_(rank_in(communicator) == 0), summaries_(parameters.cases.size())
   {
-    // Experiments and scenes do not share columns.
-    is_map_ = std::all_of(parameters.cases.begin(), parameters.cases.end(),
-                          [](const StudyCase &one) { return one.is_experiment; });
-    chosen_ = !parameters.columns.empty() ? parameters.columns
-              : is_map_                   ? stability_columns
-                                          : default_columns;
-    std::vector<std::string> columns{"case"};
-    columns.insert(columns.end(), chosen_.begin(), chosen_.end());
-    columns.insert(columns.end(), plates_.columns().begin(), plates_.columns().end());
-    columns.push_back("status");
-    table_ = std::make_unique<Table>(columns);
   }
 
   /// Throws FileError unless the folder is new, empty or may hold results.
@@ -118,7 +100,7 @@ public:
   /// Returns the number of cases that failed.
   int run_cases()
   {
-    if (const auto warning = plates_.warning(); !warning.empty())
+    if (const auto warning = table_.warning(); !warning.empty())
       warn(communicator_, warning);
     int n_failed       = 0;
     std::string status = "";
@@ -126,14 +108,13 @@ public:
     {
       status = run_case(i);
       n_failed += status.rfind("failed", 0) == 0;
-      std::vector<Json> row{parameters_.cases[i].name};
-      for (const auto &column : chosen_)
-        row.push_back(summaries_[i].is_object() ? summaries_[i].value(column, Json()) : Json());
-      for (auto &extent : plates_.row(i))
-        row.push_back(std::move(extent));
-      row.push_back(status);
-      table_->add(row);
-      on_first_rank(communicator_, [&] { write_file(directory_ / "study.csv", table_->csv()); });
+      table_.add(i, summaries_[i], status);
+      on_first_rank(communicator_,
+                    [&]
+                    {
+                      write_file(directory_ / "study.csv", table_.csv());
+                      write_file(directory_ / "study.json", table_.json());
+                    });
     }
     return n_failed;
   }
@@ -142,14 +123,14 @@ public:
   {
     if (speaks_)
       std::printf("\n%s\n\n%s\nThe table stands in %s.\n", parameters_.title.c_str(),
-                  table_->text().c_str(), (directory_ / "study.csv").c_str());
+                  table_.text().c_str(), (directory_ / "study.csv").c_str());
     std::fflush(stdout);
     const bool is_compared = !parameters_.reference.empty();
     if (is_compared)
       on_first_rank(communicator_, [&] { write_comparison(parameters_, summaries_, directory_); });
     if (!parameters_.pictures)
       return;
-    if (is_map_)
+    if (table_.is_map())
       draw_stability_map(communicator_, directory_ / "study.csv", directory_ / "map.png",
                          /*quiet=*/false);
     else
@@ -192,10 +173,8 @@ private:
   const StudyParameters &parameters_;
   StudyOptions options_;
   std::filesystem::path directory_;
-  StudyPlates plates_;
-  bool speaks_, is_map_ = false;
-  std::vector<std::string> chosen_; // fields of the summaries that the table shows
-  std::unique_ptr<Table> table_;
+  StudyTable table_;
+  bool speaks_;
   std::vector<Json> summaries_; // of all cases; null if there is none
 };
 } // namespace

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "commands/study.h"
 
+#include "support/scene_text.h"
 #include "support/scratch_directory.h"
 #include "support/two_plates_text.h"
+
+#include <nlohmann/json.hpp>
 
 namespace ricochet
 {
@@ -20,7 +23,7 @@ std::string write_study(const fs::path &folder, const std::string &second_speed)
     std::ofstream(folder / "study.prm")
         << "subsection Study\n  set Title = Two speeds\n  set Scenes = base.prm\n"
         << "  set Axis 1 = Impact/Speed: 300 m/s | " << second_speed << "\n"
-        << "  set Columns = outcome, exit_speed_m_s, no_such_field\n"
+        << "  set Columns = outcome, exit_speed_m_s, on_elements_us\n"
         << "  set Settings = Time/Final time: 1 us\n"
         << "  set Pictures = false\n  set Output directory = " << (folder / "results").string()
         << "\nend\n";
@@ -51,10 +54,42 @@ TEST(Study, TableHasARowPerCaseAndIsNotMadeTwice)
     return;
   const auto lines = split(read_text(scratch.path() / "results" / "study.csv"), '\n');
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[0], "case,outcome,exit_speed_m_s,no_such_field,status");
-  EXPECT_TRUE(contains(lines[1], "base__speed_300_m_s,undecided,")) << lines[1];
+  EXPECT_EQ(lines[0], "case,speed_m_s,outcome,exit_speed_m_s,on_elements_us,status");
+  EXPECT_TRUE(contains(lines[1], "base__speed_300_m_s,300.0,undecided,")) << lines[1];
   EXPECT_TRUE(contains(lines[2], ",-,finished before")) << lines[2];
   EXPECT_TRUE(contains(text, "[2/2] base__speed_400_m_s: finished before")) << text;
+}
+
+TEST(Study, UnknownColumnsAreRefusedBeforeTheFirstRun)
+{
+  const ScratchDirectory scratch;
+  const auto path = write_study(scratch.path(), "400 m/s");
+  if (rank() == 0)
+    std::ofstream(scratch.path() / "study.prm")
+        << "subsection Study\n  set Scenes = base.prm\n  set Columns = outcom\n"
+        << "  set Output directory = " << (scratch.path() / "results").string() << "\nend\n";
+  MPI_Barrier(MPI_COMM_WORLD);
+  expect_error([&] { run_study(MPI_COMM_WORLD, path, quiet()); },
+               {"study.prm:3", "did you mean 'outcome'?"});
+  EXPECT_FALSE(fs::exists(scratch.path() / "results"));
+}
+
+TEST(Study, RecordSaysWhatEachCaseIs)
+{
+  const ScratchDirectory scratch;
+  ::testing::internal::CaptureStdout();
+  run_study(MPI_COMM_WORLD, write_study(scratch.path(), "400 m/s"), quiet());
+  ::testing::internal::GetCapturedStdout();
+  if (rank() != 0)
+    return;
+  const auto record =
+      nlohmann::ordered_json::parse(read_text(scratch.path() / "results" / "study.json"));
+  EXPECT_EQ(record["title"], "Two speeds");
+  EXPECT_EQ(record["axes"][0]["label"], "speed");
+  EXPECT_EQ(record["axes"][0]["unit"], "m/s");
+  EXPECT_EQ(record["cases"][1]["label"], "400 m/s");
+  EXPECT_EQ(record["cases"][1]["axes"][0], 400.);
+  EXPECT_EQ(record["cases"][1]["status"], "ok");
 }
 
 TEST(Study, AChangedCaseIsRunAgain)

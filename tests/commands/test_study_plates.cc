@@ -90,7 +90,7 @@ TEST(StudyPlates, StandInTheTableOfTheStudyWithAWarning)
     return;
   const auto lines = split(read_text(scratch.path() / "results" / "study.csv"), '\n');
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[0], "case,outcome,plate_1_length_mm,plate_1_width_mm,status");
+  EXPECT_EQ(lines[0], "case,grid_spacing_mm,outcome,plate_1_length_mm,plate_1_width_mm,status");
   EXPECT_TRUE(contains(lines[1], ",40.0,20.0,ok")) << lines[1];
   EXPECT_TRUE(contains(lines[2], ",39.75,19.5,ok")) << lines[2];
 }
