@@ -4,6 +4,7 @@
 import os
 
 # First, because they say what to install if it is missing.
+from plot_reference import overlay
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, plt, save, ticks, write_title
 from read_run import title_of
 
@@ -107,6 +108,9 @@ def draw_history(directory, history):
                            ("force shank", "shank", GREEN, "-")], "contact force [kN]")
     draw_energies(energy, history)
     draw_residual(residual, history)
+    overlay(speed, directory, ("speed", "velocity x", "velocity z"))
+    overlay(pitch, directory, ("pitch",))
+    overlay(force, directory, ("force normal", "force friction", "force shank"))
     for axes in (speed, pitch, force, residual):
         axes.margins(x=0)
     for axes in figure.axes:

@@ -40,6 +40,9 @@ class History:
         return name in self.columns
 
     def __getitem__(self, name):
+        if name == "path" and name not in self.columns:  # follows from the others
+            steps = [np.diff(self[axis], prepend=self[axis][:1]) for axis in "xyz"]
+            return np.cumsum(np.sqrt(sum(step**2 for step in steps)))
         if name not in self.columns:
             raise without(self.path, name, self.columns)
         return self.columns[name]
@@ -82,6 +85,15 @@ def read_summary(directory):
             return json.load(file)
     except (OSError, ValueError):
         return None
+
+
+def read_study(directory):
+    """What study.json says of a study: title, axes, cases; an empty object if there is none."""
+    try:
+        with open(os.path.join(directory, "study.json"), encoding="utf-8") as file:
+            return json.load(file)
+    except (OSError, ValueError):
+        return {}
 
 
 def stated_times(directory):

@@ -17,6 +17,8 @@ using Json = nlohmann::ordered_json;
 std::string full_name(const SummaryField &field)
 {
   const bool is_list = field.place == "zones" || field.place == "positions";
+  if (field.place == "reference_data")
+    return field.place + "." + field.name + "[]";
   return field.place + (is_list ? "[]." : "") + field.name;
 }
 } // namespace

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run.h"
 
+#include "command_line.h"
 #include "interruption.h"
+#include "reference_comparison.h"
 #include "result_folder.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
 #include "ricochet/base/version.h"
+#include "ricochet/output/collective.h"
 #include "ricochet/output/field_writer.h"
 #include "ricochet/output/history.h"
 #include "ricochet/output/pictures.h"
@@ -24,6 +27,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace ricochet
 {
@@ -83,16 +87,18 @@ class Run
 public:
   /// Of a simulation at its start, which must outlive this object. `directory` is prepared.
   Run(const MPI_Comm communicator, Simulation &simulation, std::vector<InterfaceReport> interfaces,
-      const RunOptions &options) :
+      std::optional<ReferenceData> data, const RunOptions &options) :
     communicator_(communicator),
     options_(options), simulation_(simulation), scene_(simulation.scene()),
     watch_(watch_of(simulation)), damage_(communicator, simulation), warnings_(communicator),
     directory_(scene_.output.directory), history_(communicator, directory_, names_and_units()),
     frames_(communicator, directory_, scene_.output.vtu),
-    records_due_(scene_.output.history_interval), frames_due_(scene_.output.frame_interval)
+    records_due_(scene_.output.history_interval), frames_due_(scene_.output.frame_interval),
+    data_(std::move(data))
   {
     notes_.directory     = directory_.string();
     notes_.version       = version();
+    notes_.command       = command_line();
     notes_.n_ranks       = size_of(communicator);
     notes_.n_points      = simulation.n_points();
     notes_.n_bonds       = damage_.n_bonds();
@@ -221,6 +227,10 @@ private:
     notes_.deepest           = warnings_.deepest();
     notes_.on_elements_since = warnings_.on_elements_since();
     notes_.hourglass         = warnings_.hourglass();
+    notes_.warnings          = warnings_.given();
+    if (data_)
+      on_first_rank(communicator_,
+                    [&] { notes_.reference_data = compare_with_data(directory_, *data_); });
     auto summary = run_summary({simulation_, watch_, verdict, totals_, notes_}, damage_.plates());
     write_summary(communicator_, directory_, summary);
     write_damage_maps(communicator_, directory_, damage_.maps());
@@ -240,6 +250,7 @@ private:
   FieldWriter frames_;
   Schedule records_due_, frames_due_;
   Totals totals_; // of the last record
+  std::optional<ReferenceData> data_;
   RunNotes notes_;
   std::string stop_reason_;
   bool decided_ = false; // and therefore at an end
@@ -253,6 +264,7 @@ nlohmann::ordered_json run_scene(const MPI_Comm communicator, const ParameterFil
 {
   const double start_cpu_seconds = cpu_seconds(communicator);
   const Scene scene              = read_scene(file);
+  auto data                      = reference_data_of(scene); // before the work, not after it
   Simulation simulation(communicator, scene);
   prepare_result_folder(communicator, scene.output.directory, file, options.force);
   if (!options.quiet && rank_in(communicator) == 0)
@@ -260,7 +272,8 @@ nlohmann::ordered_json run_scene(const MPI_Comm communicator, const ParameterFil
   // A run wants to begin: 3 % of the strain error are good enough. The test moves the nodes and
   // brings them back, so it comes before all that only looks at the simulation.
   auto interfaces = interface_reports(communicator, simulation, /*residual_left=*/3e-2);
-  auto summary = Run(communicator, simulation, std::move(interfaces), options)(start_cpu_seconds);
+  auto summary    = Run(communicator, simulation, std::move(interfaces), std::move(data),
+                        options)(start_cpu_seconds);
   if (scene.output.pictures)
     draw_pictures(communicator, scene.output.directory, options.quiet);
   return summary;

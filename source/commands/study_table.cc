@@ -2,6 +2,7 @@
 #include "study_table.h"
 
 #include "command_line.h"
+#include "reference_comparison.h"
 #include "ricochet/base/version.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/simulation/run_summary.h"
@@ -25,28 +26,38 @@ bool has(const Names &names, const std::string &name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// All fields that the summaries of the cases may have.
-Names known_fields(const StudyParameters &study)
+/// What the summaries of the cases may have.
+struct KnownFields
 {
-  Names known;
+  Names fields;
+  Names of_data; // columns that a comparison with somebody else's data fills
+};
+
+KnownFields known_fields(const StudyParameters &study)
+{
+  KnownFields known;
   std::size_t n_plates = 0;
   bool any_experiment  = false;
   for (const auto &one : study.cases)
     if (one.is_experiment)
       any_experiment = true;
     else
-      n_plates = std::max(n_plates, read_scene(one.file).plates.size());
-  for (const auto &field : summary_fields())
+    {
+      const Scene scene = read_scene(one.file);
+      n_plates          = std::max(n_plates, scene.plates.size());
+      if (const auto data = reference_data_of(scene))
+        for (const auto &column : reference_columns(*data))
+          if (!has(known.of_data, column))
+            known.of_data.push_back(column);
+    }
+  for (const auto &field : n_plates > 0 ? summary_fields() : std::vector<SummaryField>())
     if (field.place.empty())
-      known.push_back(field.name);
+      known.fields.push_back(field.name);
     else if (field.place == "plate_N_")
       for (std::size_t i = 1; i <= n_plates; ++i)
-        known.push_back("plate_" + std::to_string(i) + "_" + field.name);
-  if (n_plates == 0)
-    known.clear();
-  if (any_experiment)
-    for (const auto &name : stability_fields())
-      known.push_back(name);
+        known.fields.push_back("plate_" + std::to_string(i) + "_" + field.name);
+  for (const auto &name : any_experiment ? stability_fields() : Names())
+    known.fields.push_back(name);
   return known;
 }
 
@@ -59,7 +70,10 @@ bool are_experiments(const StudyParameters &study)
 /// Those that the table shows; a field that is an axis stands there once.
 Names chosen_fields(const StudyParameters &study)
 {
-  check_columns(study, known_fields(study));
+  const auto known = known_fields(study);
+  auto allowed     = known.fields;
+  allowed.insert(allowed.end(), known.of_data.begin(), known.of_data.end());
+  check_columns(study, allowed);
   Names fields;
   for (const auto &name : !study.columns.empty()   ? study.columns
                           : are_experiments(study) ? stability_columns
@@ -67,13 +81,17 @@ Names chosen_fields(const StudyParameters &study)
     if (!has(fields, name) && std::none_of(study.axis_columns.begin(), study.axis_columns.end(),
                                            [&](const auto &axis) { return axis.name == name; }))
       fields.push_back(name);
+  for (const auto &name : known.of_data)
+    if (!has(fields, name))
+      fields.push_back(name);
   return fields;
 }
 
-Names columns_of(const StudyParameters &study, const Names &fields, const StudyPlates &plates)
+Names columns_of(const StudyParameters &study, const Names &fields, const StudyPlates &plates,
+                 const bool with_axes)
 {
   Names columns{"case"};
-  for (const auto &axis : study.axis_columns)
+  for (const auto &axis : with_axes ? study.axis_columns : std::vector<StudyColumn>())
     columns.push_back(axis.name);
   columns.insert(columns.end(), fields.begin(), fields.end());
   columns.insert(columns.end(), plates.columns().begin(), plates.columns().end());
@@ -113,21 +131,28 @@ Json record_of(const StudyParameters &study, const Names &fields)
 
 StudyTable::StudyTable(const StudyParameters &study) :
   study_(study), plates_(study), is_map_(are_experiments(study)), fields_(chosen_fields(study)),
-  table_(columns_of(study, fields_, plates_)), record_(record_of(study, fields_))
+  table_(columns_of(study, fields_, plates_, true)),
+  shown_(columns_of(study, fields_, plates_, false)), record_(record_of(study, fields_))
 {
 }
 
 void StudyTable::add(const std::size_t number, const Json &summary, const std::string &status)
 {
-  std::vector<Json> row{study_.cases[number].name};
-  for (const auto &value : study_.cases[number].axis_values)
+  const StudyCase &one = study_.cases[number];
+  std::vector<Json> row{one.name}, values;
+  for (const auto &value : one.axis_values)
     row.push_back(value_of(value));
   for (const auto &field : fields_)
-    row.push_back(summary.is_object() ? summary.value(field, Json()) : Json());
+    values.push_back(field.rfind("reference_", 0) == 0 ? reference_value(summary, field)
+                     : summary.is_object()             ? summary.value(field, Json())
+                                                       : Json());
   for (auto &extent : plates_.row(number))
-    row.push_back(std::move(extent));
-  row.emplace_back(status);
+    values.push_back(std::move(extent));
+  values.emplace_back(status);
+  row.insert(row.end(), values.begin(), values.end());
   table_.add(row);
+  values.insert(values.begin(), one.label);
+  shown_.add(values);
   record_["cases"][number]["status"] = status;
 }
 } // namespace ricochet

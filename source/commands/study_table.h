@@ -25,7 +25,8 @@ public:
   void add(std::size_t number, const nlohmann::ordered_json &summary, const std::string &status);
 
   std::string csv() const { return table_.csv(); }
-  std::string text() const { return table_.text(); }
+  /// With labels instead of names and axes.
+  std::string text() const { return shown_.text(); }
   /// study.json: title, axes, and of every case its name, label, axes' values and status.
   std::string json() const { return record_.dump(2) + "\n"; }
 
@@ -39,7 +40,7 @@ private:
   StudyPlates plates_;
   bool is_map_;
   std::vector<std::string> fields_; // of the summaries
-  Table table_;
+  Table table_, shown_;
   nlohmann::ordered_json record_;
 };
 } // namespace ricochet

@@ -3,7 +3,7 @@
 
 #include "ricochet/base/number_text.h"
 #include "ricochet/scene/quantity.h"
-#include "text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,23 +114,6 @@ std::pair<std::string, bool> common_unit(const std::vector<std::string> &values)
   return {first->unit, true};
 }
 } // namespace
-
-std::string file_name_of(const std::string &text)
-{
-  std::string name;
-  for (const char c : text)
-  {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       c == '.' || c == '-' || c == '+';
-    if (plain)
-      name += c;
-    else if (!name.empty() && name.back() != '_')
-      name += '_';
-  }
-  if (!name.empty() && name.back() == '_')
-    name.pop_back();
-  return name;
-}
 
 std::string origin_of(const Entry &entry)
 {

@@ -29,7 +29,4 @@ AxisValue value_in(const StudyColumn &column, const std::string &text);
 
 /// Where the value of an override comes from, "study.prm:3 (Axis 1)".
 std::string origin_of(const Entry &entry);
-
-/// Letters, digits, points and signs as they are, everything else as one underscore.
-std::string file_name_of(const std::string &text);
 } // namespace ricochet

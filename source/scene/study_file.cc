@@ -5,11 +5,11 @@
 #include "ricochet/scene/quantity.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/stability_reader.h"
+#include "ricochet/scene/text_tools.h"
 #include "scene_sections.h"
 #include "section_checks.h"
 #include "study_axis.h"
 #include "study_section.h"
-#include "text_tools.h"
 
 #include <algorithm>
 #include <filesystem>

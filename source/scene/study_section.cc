@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "study_section.h"
 
+#include "ricochet/scene/text_tools.h"
 #include "scene_sections.h"
 #include "study_axis.h"
-#include "text_tools.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -160,6 +160,9 @@ Section study_section(const std::string &stem, StudyParameters &study, StudySett
   const Entry &shared = in.optional(
       "Settings", unbound_text("Section/Entry: value; Section/Entry: value"),
       "Output/Pictures: false; Output/ParaView files: false", "Entries that all cases share");
+  const Entry &data =
+      in.optional("Reference data", unbound_text("a CSV file, relative to this file"),
+                  "experiment.csv", "Like 'Output/Reference data' in all cases");
   const auto comparison = add_comparison(in);
   in.with_default("Pictures", flag(study.pictures), "true",
                   "Whether a comparison of the first eight cases is drawn at the end; with a "
@@ -167,7 +170,7 @@ Section study_section(const std::string &stem, StudyParameters &study, StudySett
   const auto axes = add_axes(in);
 
   in.check(
-      [&study, &settings, &columns, &shared, comparison, axes]
+      [&study, &settings, &columns, &shared, &data, comparison, axes]
       {
         study.columns        = list_of(columns);
         study.columns_origin = columns.origin();
@@ -182,8 +185,10 @@ Section study_section(const std::string &stem, StudyParameters &study, StudySett
           }
         settings.scenes    = list_of(*settings.scenes_row);
         settings.overrides = read_settings(shared);
-        study.reference    = read_reference(*comparison.reference, *comparison.ensemble,
-                                            study.combination, settings.scenes);
+        if (data.is_given())
+          settings.overrides.push_back({"Output", "Reference data", data.text(), origin_of(data)});
+        study.reference = read_reference(*comparison.reference, *comparison.ensemble,
+                                         study.combination, settings.scenes);
         if (study.combination == Combination::zipped)
           check_zipped(given, study.axes);
         read_ensemble(*comparison.ensemble, study.axes, names);

@@ -74,6 +74,41 @@ TEST(Study, UnknownColumnsAreRefusedBeforeTheFirstRun)
   EXPECT_FALSE(fs::exists(scratch.path() / "results"));
 }
 
+TEST(Study, DataOfOthersStandInTheTable)
+{
+  const ScratchDirectory scratch;
+  const auto path      = write_study(scratch.path(), "400 m/s");
+  const auto with_data = [&](const std::string &file)
+  {
+    MPI_Barrier(MPI_COMM_WORLD); // nobody still reads it
+    if (rank() == 0)
+      std::ofstream(scratch.path() / "study.prm")
+          << "subsection Study\n  set Scenes = base.prm\n  set Columns = outcome\n"
+          << "  set Settings = Time/Final time: 1 us; Output/History interval: 0.1 us\n"
+          << "  set Reference data = " << file << "\n  set Pictures = false\n"
+          << "  set Output directory = " << (scratch.path() / "results").string() << "\nend\n";
+    MPI_Barrier(MPI_COMM_WORLD);
+  };
+  with_data("nowhere.csv");
+  expect_error<FileError>([&] { run_study(MPI_COMM_WORLD, path, quiet()); }, {"nowhere.csv"});
+  if (rank() == 0) // nothing is touched before the second time
+    std::ofstream(scratch.path() / "exp.csv") << "time [us],path [mm]\n0.5,0.1\n9,5\n";
+  with_data("exp.csv");
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(run_study(MPI_COMM_WORLD, path, quiet()), 0);
+  ::testing::internal::GetCapturedStdout();
+  if (rank() != 0)
+    return;
+  const auto lines = split(read_text(scratch.path() / "results" / "study.csv"), '\n');
+  EXPECT_EQ(lines.at(0), "case,outcome,reference_rmse_path_mm,reference_error_path_0.5_us_percent,"
+                         "reference_error_path_9_us_percent,status");
+  const auto cells = split(lines.at(1), ',');
+  ASSERT_EQ(cells.size(), 6u);
+  EXPECT_GT(std::stod(cells[2]), 0.);
+  EXPECT_NEAR(std::stod(cells[3]), 1e3 * std::stod(cells[2]), 1e-6); // of 0.1 mm
+  EXPECT_EQ(cells[4], "-");
+}
+
 TEST(Study, RecordSaysWhatEachCaseIs)
 {
   const ScratchDirectory scratch;
