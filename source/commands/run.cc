@@ -276,6 +276,8 @@ nlohmann::ordered_json run_scene(const MPI_Comm communicator, const ParameterFil
                         options)(start_cpu_seconds);
   if (scene.output.pictures)
     draw_pictures(communicator, scene.output.directory, options.quiet);
+  if (scene.output.report)
+    write_report(communicator, scene.output.directory, options.quiet);
   return summary;
 }
 } // namespace ricochet

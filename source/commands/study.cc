@@ -128,8 +128,15 @@ public:
     const bool is_compared = !parameters_.reference.empty();
     if (is_compared)
       on_first_rank(communicator_, [&] { write_comparison(parameters_, summaries_, directory_); });
-    if (!parameters_.pictures)
-      return;
+    if (parameters_.pictures)
+      draw(is_compared);
+    if (parameters_.report)
+      write_report(communicator_, directory_, /*quiet=*/false);
+  }
+
+private:
+  void draw(const bool is_compared) const
+  {
     if (table_.is_map())
       draw_stability_map(communicator_, directory_ / "study.csv", directory_ / "map.png",
                          /*quiet=*/false);
@@ -139,7 +146,6 @@ public:
       draw_accuracy_chart(communicator_, directory_, /*quiet=*/false);
   }
 
-private:
   /// Fills in its summary and returns its status for the table.
   std::string run_case(const std::size_t i)
   {

@@ -20,6 +20,9 @@ Section output_section(OutputParameters &output, const std::string &stem)
                   "Whether the frames are written for ParaView");
   in.with_default("Pictures", flag(output.pictures), "true",
                   "Whether pictures are drawn at the end");
+  in.with_default("Report", flag(output.report), "true",
+                  "Whether report.html is written at the end: verdict, pictures, charts, tables, "
+                  "parameters in one file");
   const Entry &times = in.optional(
       "Picture times", quantity_list(output.picture_times, Dimension::time, Limit::not_negative),
       "45 us, 94 us, 142 us",

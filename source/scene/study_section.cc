@@ -167,6 +167,8 @@ Section study_section(const std::string &stem, StudyParameters &study, StudySett
   in.with_default("Pictures", flag(study.pictures), "true",
                   "Whether a comparison of the first eight cases is drawn at the end; with a "
                   "reference also a chart of accuracy against cost");
+  in.with_default("Report", flag(study.report), "true",
+                  "Whether report.html is written at the end: all cases, charts, tables, pictures");
   const auto axes = add_axes(in);
 
   in.check(

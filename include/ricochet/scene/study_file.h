@@ -79,6 +79,7 @@ struct StudyParameters
   std::vector<StudyColumn> axis_columns; // one per axis, or per entry with values of its own
   Combination combination;
   bool pictures;         // draw a comparison at the end
+  bool report;           // write report.html at the end
   std::string reference; // the scene that the others are compared with, as in StudyCase; or ""
   /// Scene by scene, the last axis changes fastest; one at a time: the scene itself, then axis by
   /// axis. With a reference the scenes change fastest: what is compared runs one after the other,
