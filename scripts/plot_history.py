@@ -32,6 +32,7 @@ def draw_path(axes, history):
     axes.set_xlabel("x [mm]")
     axes.set_ylabel("z of the centroid [mm]")
     axes.margins(0.06, 0.1)
+    axes.set_aspect("equal", adjustable="datalim")
 
 
 # Stacked from below; what the projectile keeps is drawn last, so that the top edge is the conserved total. Other

@@ -17,7 +17,7 @@ from plot_damage import draw_damage_bar
 from plot_reference import columns_of, draw_reference
 from plot_section import draw_frame, sizes_of, window
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILION
-from plot_style import asks_for_help, close_box, fail, plt, save, ticks
+from plot_style import asks_for_help, close_box, fail, plain, plt, save, ticks
 from read_run import read_frames, read_history, read_study, read_summary
 from read_table import read_csv
 
@@ -31,7 +31,7 @@ class Case:
     """One run: name, title, summary, history and last frame; what is missing is None."""
 
     def __init__(self, directory, name, label):
-        self.name, self.label = name, label
+        self.name, self.label = name, plain(label)
         folder = os.path.join(directory, name)
         self.summary = read_summary(folder)
         self.history = read_history(folder)
@@ -147,7 +147,7 @@ def draw_page(directory, cases, page, n_pages, n_missing):
         title += f" ({page} of {n_pages})"
     if n_missing:
         title += f": without {n_missing} " + ("case that has" if n_missing == 1 else "cases that have") + " no results"
-    figure.text(0.12 / width, 1 - 0.12 / height, title, size=11, weight="bold", va="top")
+    figure.text(0.12 / width, 1 - 0.12 / height, plain(title), size=11, weight="bold", va="top")
     draw_paths(figure.add_axes([left / width, (bottom + sections + 0.35) / height, 6.0 / width, paths / height]),
                cases)
 

@@ -4,10 +4,12 @@
 #include "comparison.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
 #include "ricochet/output/result_directory.h"
+#include "ricochet/output/summary.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/study_file.h"
 #include "run.h"
@@ -20,6 +22,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 
 namespace ricochet
@@ -36,26 +39,58 @@ std::string read_text(const std::filesystem::path &path)
   return text.str();
 }
 
-/// The summary of an earlier, complete run with the same parameters in the folder, or null. The
-/// same on all ranks.
-Json finished_summary(const MPI_Comm communicator, const ParameterFile &file,
-                      const std::filesystem::path &directory)
+/// What an earlier run has left of a case: its summary if that may stand, or why it may not.
+struct Earlier
 {
-  Json summary;
+  Json summary;             // null: run it
+  std::string why_not = ""; // "" if there is nothing at all
+};
+
+/// Whether the field is there, a truth value and false.
+bool is_false(const Json &summary, const char *name)
+{
+  const auto field = summary.find(name);
+  return field != summary.end() && field->is_boolean() && !field->get<bool>();
+}
+
+std::string reason_against(const Json &summary, const std::string &parameters,
+                           const std::filesystem::path &directory)
+{
+  if (!summary.is_object())
+    return "its summary.json cannot be read";
+  if (summary.value("version", Json()) != version())
+    return "it was made by another version, " + summary.value("version", Json("unknown")).dump();
+  if (!is_untouched(summary))
+    return "its summary.json has been changed";
+  if (!is_false(summary, "failed"))
+    return "it failed";
+  if (!is_false(summary, "interrupted"))
+    return "it was interrupted";
+  if (read_text(directory / "used.prm") != parameters)
+    return "its parameters are others now";
+  return "";
+}
+
+/// The same on all ranks, but for the summary, which the first one has.
+Earlier earlier_run(const MPI_Comm communicator, const ParameterFile &file,
+                    const std::filesystem::path &directory)
+{
+  Earlier earlier;
   bool finished = false;
-  if (rank_in(communicator) == 0)
+  if (rank_in(communicator) == 0 && std::filesystem::exists(directory / "summary.json"))
   {
     std::ostringstream used;
     write_used_parameters(file, used);
-    summary =
-        Json::parse(read_text(directory / "summary.json"), nullptr, /*allow_exceptions=*/false);
-    finished = summary.is_object() && !summary.value("failed", true) &&
-               !summary.value("interrupted", true) &&
-               read_text(directory / "used.prm") == used.str();
+    earlier.summary = Json::parse(read_text(directory / "summary.json"), nullptr,
+                                  /*allow_exceptions=*/false);
+    earlier.why_not = reason_against(earlier.summary, used.str(), directory);
+    finished        = earlier.why_not.empty();
   }
-  return broadcast(communicator, finished, /*root=*/0)
-             ? (summary.is_object() ? summary : Json::object())
-             : Json();
+  if (!broadcast(communicator, finished, /*root=*/0))
+    earlier.summary = Json();
+  else if (earlier.summary.is_null())
+    earlier.summary = Json::object();
+  return earlier;
 }
 
 void write_comparison(const StudyParameters &study, const std::vector<Json> &summaries,
@@ -97,17 +132,17 @@ public:
     on_first_rank(communicator_, [&] { make_directory(directory_); });
   }
 
-  /// Returns the number of cases that failed.
-  int run_cases()
+  StudyEnd run_cases()
   {
     if (const auto warning = table_.warning(); !warning.empty())
       warn(communicator_, warning);
-    int n_failed       = 0;
-    std::string status = "";
-    for (std::size_t i = 0; i < parameters_.cases.size() && status != "interrupted"; ++i)
+    StudyEnd end;
+    std::size_t i = 0;
+    for (; i < parameters_.cases.size() && !end.interrupted; ++i)
     {
-      status = run_case(i);
-      n_failed += status.rfind("failed", 0) == 0;
+      const std::string status = run_case(i);
+      end.interrupted          = status == "interrupted";
+      end.n_failed += status.rfind("failed", 0) == 0;
       table_.add(i, summaries_[i], status);
       on_first_rank(communicator_,
                     [&]
@@ -116,7 +151,19 @@ public:
                       write_file(directory_ / "study.json", table_.json());
                     });
     }
-    return n_failed;
+    missing_from_ = end.interrupted ? i - 1 : i;
+    return end;
+  }
+
+  /// After an interruption: what has not run to its end.
+  void tell_missing() const
+  {
+    std::string names;
+    for (std::size_t i = missing_from_; i < parameters_.cases.size(); ++i)
+      names += "\n  " + parameters_.cases[i].name;
+    if (speaks_ && !names.empty())
+      std::cerr << "\nThe study was interrupted. Missing:" << names
+                << "\nThe same command with --resume goes on with them." << std::endl;
   }
 
   void report()
@@ -152,11 +199,15 @@ private:
     const ParameterFile &file = parameters_.cases[i].file;
     const std::string &name   = parameters_.cases[i].name;
     Json &summary             = summaries_[i];
-    summary                   = finished_summary(communicator_, file, directory_ / name);
+    auto earlier              = earlier_run(communicator_, file, directory_ / name);
+    summary                   = std::move(earlier.summary);
     const bool is_finished    = !summary.is_null();
+    const std::string remark  = is_finished               ? ": finished before"
+                                : earlier.why_not.empty() ? ""
+                                                          : ": run again, " + earlier.why_not;
     if (speaks_)
       std::printf("[%zu/%zu] %s%s\n", i + 1, parameters_.cases.size(), name.c_str(),
-                  is_finished ? ": finished before" : "");
+                  remark.c_str());
     std::fflush(stdout);
     if (is_finished)
       return "finished before";
@@ -181,17 +232,21 @@ private:
   std::filesystem::path directory_;
   StudyTable table_;
   bool speaks_;
-  std::vector<Json> summaries_; // of all cases; null if there is none
+  std::size_t missing_from_ = 0; // cases from here on have not run to their end
+  std::vector<Json> summaries_;  // of all cases; null if there is none
 };
 } // namespace
 
-int run_study(const MPI_Comm communicator, const std::string &path, const StudyOptions &options)
+StudyEnd run_study(const MPI_Comm communicator, const std::string &path,
+                   const StudyOptions &options)
 {
   const StudyParameters parameters = read_study(path);
   Study study(communicator, parameters, options);
   study.prepare_folder();
-  const int n_failed = study.run_cases();
+  const StudyEnd end = study.run_cases();
   study.report();
-  return n_failed;
+  if (end.interrupted)
+    study.tell_missing();
+  return end;
 }
 } // namespace ricochet

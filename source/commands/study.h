@@ -13,6 +13,12 @@ struct StudyOptions
   bool quiet  = false; // no progress of the single runs
 };
 
+struct StudyEnd
+{
+  int n_failed     = 0;
+  bool interrupted = false; // and some cases have not run
+};
+
 /**
  * Runs every case of the study, each into its own folder, and writes study.csv after each; with the
  * plates' extents where the grid makes them differ (study_plates.h). A case
@@ -20,8 +26,11 @@ struct StudyOptions
  * one whose summary says so and whose parameters are those of now. With a reference, comparison.csv
  * and comparison_paths.csv follow (comparison.h), and accuracy.png.
  *
- * Collective. Returns the number of failed cases. Throws InputError or FileError for the study
+ * A finished case is run again, and said why, if its summary is of another version, of other
+ * parameters or changed. SIGINT and SIGTERM end the study after the present step.
+ *
+ * Collective. Throws InputError or FileError for the study
  * itself.
  */
-int run_study(MPI_Comm communicator, const std::string &path, const StudyOptions &options);
+StudyEnd run_study(MPI_Comm communicator, const std::string &path, const StudyOptions &options);
 } // namespace ricochet

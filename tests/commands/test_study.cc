@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "commands/study.h"
 
+#include "ricochet/base/version.h"
 #include "support/scene_text.h"
 #include "support/scratch_directory.h"
 #include "support/two_plates_text.h"
 
 #include <nlohmann/json.hpp>
+
+#include <array>
+#include <chrono>
+#include <thread>
+#include <unistd.h>
 
 namespace ricochet
 {
@@ -15,7 +21,8 @@ using namespace tests;
 namespace fs = std::filesystem;
 
 /// A study of two speeds over 1 us in the folder, the second of which may be impossible.
-std::string write_study(const fs::path &folder, const std::string &second_speed)
+std::string write_study(const fs::path &folder, const std::string &second_speed,
+                        const std::string &final_time = "1 us")
 {
   if (rank() == 0)
   {
@@ -24,9 +31,9 @@ std::string write_study(const fs::path &folder, const std::string &second_speed)
         << "subsection Study\n  set Title = Two speeds\n  set Scenes = base.prm\n"
         << "  set Axis 1 = Impact/Speed: 300 m/s | " << second_speed << "\n"
         << "  set Columns = outcome, exit_speed_m_s, on_elements_us\n"
-        << "  set Settings = Time/Final time: 1 us\n"
-        << "  set Pictures = false\n  set Output directory = " << (folder / "results").string()
-        << "\nend\n";
+        << "  set Settings = Time/Final time: " << final_time << "\n"
+        << "  set Pictures = false\n  set Report = false\n  set Output directory = "
+        << (folder / "results").string() << "\nend\n";
   }
   MPI_Barrier(MPI_COMM_WORLD);
   return (folder / "study.prm").string();
@@ -44,11 +51,11 @@ TEST(Study, TableHasARowPerCaseAndIsNotMadeTwice)
   const ScratchDirectory scratch;
   const auto path = write_study(scratch.path(), "400 m/s");
   ::testing::internal::CaptureStdout();
-  EXPECT_EQ(run_study(MPI_COMM_WORLD, path, quiet()), 0);
+  EXPECT_EQ(run_study(MPI_COMM_WORLD, path, quiet()).n_failed, 0);
   EXPECT_TRUE(contains(message_of([&] { run_study(MPI_COMM_WORLD, path, quiet()); }), "--resume"));
   auto resume   = quiet();
   resume.resume = true;
-  EXPECT_EQ(run_study(MPI_COMM_WORLD, path, resume), 0);
+  EXPECT_EQ(run_study(MPI_COMM_WORLD, path, resume).n_failed, 0);
   const std::string text = ::testing::internal::GetCapturedStdout();
   if (rank() != 0)
     return;
@@ -85,7 +92,7 @@ TEST(Study, DataOfOthersStandInTheTable)
       std::ofstream(scratch.path() / "study.prm")
           << "subsection Study\n  set Scenes = base.prm\n  set Columns = outcome\n"
           << "  set Settings = Time/Final time: 1 us; Output/History interval: 0.1 us\n"
-          << "  set Reference data = " << file << "\n  set Pictures = false\n"
+          << "  set Reference data = " << file << "\n  set Pictures = false\n  set Report = false\n"
           << "  set Output directory = " << (scratch.path() / "results").string() << "\nend\n";
     MPI_Barrier(MPI_COMM_WORLD);
   };
@@ -95,7 +102,7 @@ TEST(Study, DataOfOthersStandInTheTable)
     std::ofstream(scratch.path() / "exp.csv") << "time [us],path [mm]\n0.5,0.1\n9,5\n";
   with_data("exp.csv");
   ::testing::internal::CaptureStdout();
-  EXPECT_EQ(run_study(MPI_COMM_WORLD, path, quiet()), 0);
+  EXPECT_EQ(run_study(MPI_COMM_WORLD, path, quiet()).n_failed, 0);
   ::testing::internal::GetCapturedStdout();
   if (rank() != 0)
     return;
@@ -127,6 +134,30 @@ TEST(Study, RecordSaysWhatEachCaseIs)
   EXPECT_EQ(record["cases"][1]["status"], "ok");
 }
 
+TEST(Study, EndsWithAReportOfItAndOfItsCases)
+{
+  const ScratchDirectory scratch;
+  const auto path = write_study(scratch.path(), "400 m/s");
+  if (rank() == 0)
+  {
+    std::string text = read_text(path);
+    for (const std::string off = "set Report = false"; contains(text, off);)
+      text.replace(text.find(off), off.size(), "");
+    text.replace(text.find("set Settings = "), 15, "set Settings = Output/Report: true; ");
+    std::ofstream(path) << text;
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  ::testing::internal::CaptureStdout();
+  run_study(MPI_COMM_WORLD, path, quiet());
+  const std::string text = ::testing::internal::GetCapturedStdout();
+  if (rank() != 0)
+    return;
+  EXPECT_TRUE(contains(text, "Report: ")) << text;
+  const auto results = scratch.path() / "results";
+  EXPECT_TRUE(contains(read_text(results / "report.html"), "Two speeds"));
+  EXPECT_TRUE(contains(read_text(results / "base__speed_400_m_s" / "report.html"), "subsection"));
+}
+
 TEST(Study, AChangedCaseIsRunAgain)
 {
   const ScratchDirectory scratch;
@@ -135,13 +166,81 @@ TEST(Study, AChangedCaseIsRunAgain)
   auto resume        = quiet();
   resume.resume      = true;
   const auto changed = write_study(scratch.path(), "410 m/s");
-  EXPECT_EQ(run_study(MPI_COMM_WORLD, changed, resume), 0);
+  EXPECT_EQ(run_study(MPI_COMM_WORLD, changed, resume).n_failed, 0);
   ::testing::internal::GetCapturedStdout();
   if (rank() != 0)
     return;
   const auto lines = split(read_text(scratch.path() / "results" / "study.csv"), '\n');
   EXPECT_TRUE(contains(lines.at(1), ",finished before")) << lines[1];
   EXPECT_TRUE(contains(lines.at(2), "speed_410_m_s") && contains(lines[2], ",ok")) << lines[2];
+}
+
+TEST(Study, SummariesThatAreNotItsOwnAreNotTrusted)
+{
+  const ScratchDirectory scratch;
+  const auto path = write_study(scratch.path(), "400 m/s");
+  ::testing::internal::CaptureStdout();
+  run_study(MPI_COMM_WORLD, path, quiet());
+  ::testing::internal::GetCapturedStdout();
+  auto resume            = quiet();
+  resume.resume          = true;
+  const auto summary     = scratch.path() / "results" / "base__speed_300_m_s" / "summary.json";
+  const std::string good = read_text(summary);
+  using Change           = std::array<std::string, 3>;
+  for (const auto &[from, to, reason] :
+       {Change{"\"failed\": false", "\"failed\": \"no\"", "has been changed"},
+        Change{"\"outcome\": \"undecided\"", "\"outcome\": \"perforate\"", "has been changed"},
+        Change{version(), "0.0.1", "made by another version, \"0.0.1"},
+        Change{"{", "", "cannot be read"}})
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rank() == 0)
+    {
+      std::string text = good;
+      text.replace(text.find(from), from.size(), to);
+      std::ofstream(summary) << text;
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(run_study(MPI_COMM_WORLD, path, resume).n_failed, 0);
+    const std::string text = ::testing::internal::GetCapturedStdout();
+    const bool is_right    = contains(text, "300_m_s: run again, ") && contains(text, reason) &&
+                          contains(text, "400_m_s: finished before");
+    EXPECT_EQ(is_right, rank() == 0) << reason << " in " << text;
+  }
+}
+
+TEST(Study, ThatIsInterruptedSaysWhatIsMissing)
+{
+  const ScratchDirectory scratch;
+  const auto path = write_study(scratch.path(), "400 m/s", "5 ms");
+  // Once there is a second line the run steps, and listens.
+  std::thread user;
+  if (rank() == 0)
+    user = std::thread(
+        [history = scratch.path() / "results" / "base__speed_300_m_s" / "history.csv"]
+        {
+          std::string line;
+          for (int n_lines = 0; n_lines < 2;)
+          {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            std::ifstream in(history); // which is not there at first
+            for (n_lines = 0; std::getline(in, line);)
+              ++n_lines;
+          }
+          kill(getpid(), SIGINT);
+        });
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  const StudyEnd end = run_study(MPI_COMM_WORLD, path, quiet());
+  ::testing::internal::GetCapturedStdout();
+  const std::string text = ::testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(end.interrupted);
+  if (rank() != 0)
+    return;
+  user.join();
+  EXPECT_TRUE(contains(text, "Missing:\n  base__speed_300_m_s\n  base__speed_400_m_s\n")) << text;
+  EXPECT_TRUE(contains(text, "--resume")) << text;
 }
 } // namespace
 } // namespace ricochet

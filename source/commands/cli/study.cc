@@ -7,7 +7,8 @@ namespace ricochet
 {
 namespace
 {
-constexpr int some_failed = 4; // as for a run that breaks down
+constexpr int some_failed   = 4;   // as for a run that breaks down
+constexpr int ended_by_user = 130; // as a shell reports a program that Ctrl-C has ended
 
 struct Options
 {
@@ -24,8 +25,10 @@ Command declare_study(CLI::App &app)
   command->add_option("file", options->file, "study file (.prm with a section Study)")->required();
   command->add_flag("--resume", options->study.resume, "go on: skip the cases that are finished");
   command->add_flag("--quiet", options->study.quiet, "no progress of the single runs");
-  return {command, [options](const MPI_Comm communicator) {
-            return run_study(communicator, options->file, options->study) == 0 ? 0 : some_failed;
+  return {command, [options](const MPI_Comm communicator)
+          {
+            const auto end = run_study(communicator, options->file, options->study);
+            return end.interrupted ? ended_by_user : end.n_failed > 0 ? some_failed : 0;
           }};
 }
 } // namespace ricochet
