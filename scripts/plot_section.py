@@ -43,7 +43,8 @@ def window(frames, first):
     shown = [outlines]
     for frame in frames:
         if len(frame.damage) == len(first.points):
-            shown.append(first.points[frame.damage > 0.05])
+            where = first.points[frame.damage > 0.05]
+            shown.append(np.clip(where, *first.extent) if first.extent else where)  # in the plates, wherever it flies
     shown = np.concatenate(shown)
     low, high = shown.min(axis=0), shown.max(axis=0)
     if len(first.points):

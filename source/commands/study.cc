@@ -4,16 +4,14 @@
 #include "comparison.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
-#include "ricochet/base/version.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
 #include "ricochet/output/result_directory.h"
-#include "ricochet/output/summary.h"
-#include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/study_file.h"
 #include "run.h"
 #include "stability_run.h"
+#include "study_case.h"
 #include "study_table.h"
 #include "warning.h"
 
@@ -21,77 +19,13 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace ricochet
 {
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-std::string read_text(const std::filesystem::path &path)
-{
-  std::ifstream in(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-/// What an earlier run has left of a case: its summary if that may stand, or why it may not.
-struct Earlier
-{
-  Json summary;             // null: run it
-  std::string why_not = ""; // "" if there is nothing at all
-};
-
-/// Whether the field is there, a truth value and false.
-bool is_false(const Json &summary, const char *name)
-{
-  const auto field = summary.find(name);
-  return field != summary.end() && field->is_boolean() && !field->get<bool>();
-}
-
-std::string reason_against(const Json &summary, const std::string &parameters,
-                           const std::filesystem::path &directory)
-{
-  if (!summary.is_object())
-    return "its summary.json cannot be read";
-  if (summary.value("version", Json()) != version())
-    return "it was made by another version, " + summary.value("version", Json("unknown")).dump();
-  if (!is_untouched(summary))
-    return "its summary.json has been changed";
-  if (!is_false(summary, "failed"))
-    return "it failed";
-  if (!is_false(summary, "interrupted"))
-    return "it was interrupted";
-  if (read_text(directory / "used.prm") != parameters)
-    return "its parameters are others now";
-  return "";
-}
-
-/// The same on all ranks, but for the summary, which the first one has.
-Earlier earlier_run(const MPI_Comm communicator, const ParameterFile &file,
-                    const std::filesystem::path &directory)
-{
-  Earlier earlier;
-  bool finished = false;
-  if (rank_in(communicator) == 0 && std::filesystem::exists(directory / "summary.json"))
-  {
-    std::ostringstream used;
-    write_used_parameters(file, used);
-    earlier.summary = Json::parse(read_text(directory / "summary.json"), nullptr,
-                                  /*allow_exceptions=*/false);
-    earlier.why_not = reason_against(earlier.summary, used.str(), directory);
-    finished        = earlier.why_not.empty();
-  }
-  if (!broadcast(communicator, finished, /*root=*/0))
-    earlier.summary = Json();
-  else if (earlier.summary.is_null())
-    earlier.summary = Json::object();
-  return earlier;
-}
 
 void write_comparison(const StudyParameters &study, const std::vector<Json> &summaries,
                       const std::filesystem::path &directory)
@@ -123,13 +57,41 @@ public:
   /// Throws FileError unless the folder is new, empty or may hold results.
   void prepare_folder()
   {
-    const bool holds_results = speaks_ && !options_.resume && std::filesystem::exists(directory_) &&
+    const bool may_hold      = options_.resume || options_.collect || options_.only > 0;
+    const bool holds_results = speaks_ && !may_hold && std::filesystem::exists(directory_) &&
                                !std::filesystem::is_empty(directory_);
     if (broadcast(communicator_, holds_results, /*root=*/0))
       throw FileError("The study's results folder '" + directory_.string() +
                       "' exists and is not empty. Use --resume to run only what is missing in it, "
                       "or remove it to start anew.");
     on_first_rank(communicator_, [&] { make_directory(directory_); });
+  }
+
+  /// What there is, and what is to be done; runs nothing.
+  void list() const
+  {
+    for (std::size_t i = 0; i < parameters_.cases.size(); ++i)
+    {
+      const auto &one    = parameters_.cases[i];
+      const auto earlier = earlier_run(communicator_, one.file, directory_ / one.name);
+      if (speaks_)
+        std::printf("%4zu  %s  (%s)  %s\n", i + 1, one.name.c_str(), one.label.c_str(),
+                    !earlier.summary.is_null() ? "finished"
+                    : earlier.why_not.empty()  ? "to run"
+                                               : ("to run again: " + earlier.why_not).c_str());
+    }
+    std::fflush(stdout);
+  }
+
+  /// One of them alone, without tables and report.
+  StudyEnd run_one(const std::size_t i)
+  {
+    const std::string status = run_case(i);
+    if (speaks_)
+      std::printf("%s\n", status.c_str());
+    std::fflush(stdout);
+    missing_from_ = parameters_.cases.size();
+    return {status.rfind("failed", 0) == 0, status == "interrupted"};
   }
 
   StudyEnd run_cases()
@@ -193,22 +155,35 @@ private:
       draw_accuracy_chart(communicator_, directory_, /*quiet=*/false);
   }
 
+  void tell(const std::size_t i, const std::string &remark) const
+  {
+    if (speaks_)
+      std::printf("[%zu/%zu] %s%s\n", i + 1, parameters_.cases.size(),
+                  parameters_.cases[i].name.c_str(), remark.c_str());
+    std::fflush(stdout);
+  }
+
   /// Fills in its summary and returns its status for the table.
   std::string run_case(const std::size_t i)
   {
     const ParameterFile &file = parameters_.cases[i].file;
     const std::string &name   = parameters_.cases[i].name;
     Json &summary             = summaries_[i];
-    auto earlier              = earlier_run(communicator_, file, directory_ / name);
-    summary                   = std::move(earlier.summary);
-    const bool is_finished    = !summary.is_null();
-    const std::string remark  = is_finished               ? ": finished before"
-                                : earlier.why_not.empty() ? ""
-                                                          : ": run again, " + earlier.why_not;
-    if (speaks_)
-      std::printf("[%zu/%zu] %s%s\n", i + 1, parameters_.cases.size(), name.c_str(),
-                  remark.c_str());
-    std::fflush(stdout);
+    const CaseLock lock(communicator_, directory_ / ".locks" / name);
+    if (!lock.is_held())
+    {
+      tell(i, ": another process runs it");
+      return "runs elsewhere";
+    }
+    auto earlier             = earlier_run(communicator_, file, directory_ / name);
+    summary                  = std::move(earlier.summary);
+    const bool is_finished   = !summary.is_null();
+    const std::string remark = is_finished               ? ": finished before"
+                               : earlier.why_not.empty() ? ""
+                                                         : ": run again, " + earlier.why_not;
+    if (options_.collect && !is_finished)
+      return earlier.why_not.empty() ? "missing" : "missing: " + earlier.why_not;
+    tell(i, remark);
     if (is_finished)
       return "finished before";
     try
@@ -241,8 +216,19 @@ StudyEnd run_study(const MPI_Comm communicator, const std::string &path,
                    const StudyOptions &options)
 {
   const StudyParameters parameters = read_study(path);
+  const int n_cases                = static_cast<int>(parameters.cases.size());
+  if (options.only < 0 || options.only > n_cases)
+    throw InputError("--case " + std::to_string(options.only) + ": The study '" + path + "' has " +
+                     std::to_string(n_cases) + " cases.\n  'ricochet study --list' numbers them.");
   Study study(communicator, parameters, options);
+  if (options.list)
+  {
+    study.list();
+    return {};
+  }
   study.prepare_folder();
+  if (options.only > 0)
+    return study.run_one(options.only - 1);
   const StudyEnd end = study.run_cases();
   study.report();
   if (end.interrupted)

@@ -9,8 +9,11 @@ namespace ricochet
 {
 struct StudyOptions
 {
-  bool resume = false; // go on in an existing results folder: finished cases are not run again
-  bool quiet  = false; // no progress of the single runs
+  bool resume  = false; // go on in an existing results folder: finished cases are not run again
+  bool quiet   = false; // no progress of the single runs
+  bool list    = false; // say what the cases are and which are finished, run nothing
+  bool collect = false; // table, pictures and report of what is finished, run nothing
+  int only     = 0;     // number of the only case to run, from 1; 0: all. Without table and report
 };
 
 struct StudyEnd

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "commands/study.h"
 
+#include "commands/study_case.h"
+
 #include "ricochet/base/version.h"
 #include "support/scene_text.h"
 #include "support/scratch_directory.h"
@@ -207,6 +209,67 @@ TEST(Study, SummariesThatAreNotItsOwnAreNotTrusted)
     const bool is_right    = contains(text, "300_m_s: run again, ") && contains(text, reason) &&
                           contains(text, "400_m_s: finished before");
     EXPECT_EQ(is_right, rank() == 0) << reason << " in " << text;
+  }
+}
+
+TEST(Study, CasesRunOneByOneAndAreCollected)
+{
+  const ScratchDirectory scratch;
+  const auto path     = write_study(scratch.path(), "400 m/s");
+  const auto run_with = [&](const bool list, const bool collect, const int only)
+  {
+    auto options    = quiet();
+    options.list    = list;
+    options.collect = collect;
+    options.only    = only;
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(run_study(MPI_COMM_WORLD, path, options).n_failed, 0);
+    return ::testing::internal::GetCapturedStdout();
+  };
+  run_with(false, false, 2);
+  if (rank() == 0)
+  {
+    EXPECT_FALSE(fs::exists(scratch.path() / "results" / "study.csv"));
+  }
+  const auto listed = run_with(true, false, 0);
+  run_with(false, true, 0);
+  EXPECT_TRUE(contains(message_of([&] { run_study(MPI_COMM_WORLD, path, quiet()); }), "--resume"));
+  auto wrong = quiet();
+  wrong.only = 3;
+  expect_error([&] { run_study(MPI_COMM_WORLD, path, wrong); }, {"--case 3", "2 cases", "--list"});
+  if (rank() != 0)
+    return;
+  EXPECT_TRUE(contains(listed, "1  base__speed_300_m_s  (300 m/s)  to run\n")) << listed;
+  EXPECT_TRUE(contains(listed, "2  base__speed_400_m_s  (400 m/s)  finished\n")) << listed;
+  const auto lines = split(read_text(scratch.path() / "results" / "study.csv"), '\n');
+  EXPECT_TRUE(contains(lines.at(1), ",missing")) << lines[1];
+  EXPECT_TRUE(contains(lines.at(2), ",finished before")) << lines[2];
+}
+
+TEST(Study, ACaseThatAnotherProcessRunsIsLeftToIt)
+{
+  const ScratchDirectory scratch;
+  const auto path = write_study(scratch.path(), "400 m/s");
+  auto resume     = quiet();
+  resume.resume   = true;
+  ::testing::internal::CaptureStdout();
+  {
+    const CaseLock lock(MPI_COMM_WORLD,
+                        scratch.path() / "results" / ".locks" / "base__speed_300_m_s");
+    EXPECT_TRUE(lock.is_held());
+    run_study(MPI_COMM_WORLD, path, resume);
+  }
+  if (rank() == 0)
+  {
+    const auto lines = split(read_text(scratch.path() / "results" / "study.csv"), '\n');
+    EXPECT_TRUE(contains(lines.at(1), ",runs elsewhere")) << lines[1];
+    EXPECT_TRUE(contains(lines.at(2), ",ok")) << lines[2];
+  }
+  run_study(MPI_COMM_WORLD, path, resume); // now it may
+  ::testing::internal::GetCapturedStdout();
+  if (rank() == 0)
+  {
+    EXPECT_TRUE(contains(read_text(scratch.path() / "results" / "study.csv"), "undecided"));
   }
 }
 

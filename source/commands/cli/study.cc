@@ -24,6 +24,15 @@ Command declare_study(CLI::App &app)
       app.add_subcommand("study", "run scenes over one or more axes and print one table");
   command->add_option("file", options->file, "study file (.prm with a section Study)")->required();
   command->add_flag("--resume", options->study.resume, "go on: skip the cases that are finished");
+  auto *list = command->add_flag("--list", options->study.list,
+                                 "number the cases and say which are finished; runs nothing");
+  auto *only = command->add_option("--case", options->study.only,
+                                   "run only the case of this number, for job arrays");
+  command
+      ->add_flag("--collect", options->study.collect,
+                 "table, pictures and report of what is finished; runs nothing")
+      ->excludes(list)
+      ->excludes(only);
   command->add_flag("--quiet", options->study.quiet, "no progress of the single runs");
   return {command, [options](const MPI_Comm communicator)
           {
