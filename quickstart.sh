@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 packages=(cmake g++ ninja-build libdeal.ii-dev libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libeigen3-dev
-  libnanoflann-dev nlohmann-json3-dev libcli11-dev libgtest-dev python3-matplotlib python3-h5py)
+  libnanoflann-dev nlohmann-json3-dev libcli11-dev libgtest-dev python3-matplotlib python3-h5py python3-plotly)
 what=${1:-run}
 (($# == 0)) || shift
 case $what in

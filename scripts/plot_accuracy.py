@@ -13,7 +13,7 @@ import os
 import sys
 
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILION
-from plot_style import asks_for_help, fail, plt, save
+from plot_style import asks_for_help, fail, plain, plt, save
 from read_table import read_csv
 
 from matplotlib.lines import Line2D
@@ -46,7 +46,7 @@ def labels_of(rows):
     shared = shared[:shared.rfind(", ") + 2] if ", " in shared else ""
     labels = {row["scene"]: titles.get(row["scene"], row["scene"])[len(shared) if row["scene"] in titles else 0:]
               for row in rows}
-    return labels, shared.rstrip(", ")
+    return {scene: plain(label) for scene, label in labels.items()}, plain(shared.rstrip(", "))
 
 
 def styles_of(rows):

@@ -4,6 +4,7 @@
 import os
 
 # First, because they say what to install if it is missing.
+from plot_reference import overlay
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, plt, save, ticks, write_title
 from read_run import title_of
 
@@ -31,6 +32,7 @@ def draw_path(axes, history):
     axes.set_xlabel("x [mm]")
     axes.set_ylabel("z of the centroid [mm]")
     axes.margins(0.06, 0.1)
+    axes.set_aspect("equal", adjustable="datalim")
 
 
 # Stacked from below; what the projectile keeps is drawn last, so that the top edge is the conserved total. Other
@@ -107,6 +109,9 @@ def draw_history(directory, history):
                            ("force shank", "shank", GREEN, "-")], "contact force [kN]")
     draw_energies(energy, history)
     draw_residual(residual, history)
+    overlay(speed, directory, ("speed", "velocity x", "velocity z"))
+    overlay(pitch, directory, ("pitch",))
+    overlay(force, directory, ("force normal", "force friction", "force shank"))
     for axes in (speed, pitch, force, residual):
         axes.margins(x=0)
     for axes in figure.axes:

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw section.png, damage.png and history.png from the results of a ricochet run, finished or not.
+"""Draw section.png, damage.png, history.png and, with data of others, reference.png from the results of a ricochet run,
+finished or not.
 
     plot_run.py RUN_DIRECTORY
 
@@ -12,9 +13,15 @@ import sys
 
 from plot_damage import draw_damage
 from plot_history import draw_history
+from plot_reference import draw_reference
 from plot_section import draw_section
-from plot_style import STYLE, asks_for_help, fail, plt
-from read_run import read_history
+from plot_style import BLUE, STYLE, asks_for_help, fail, plt
+from read_run import read_history, read_summary, title_of
+
+
+def draw_data(directory, history):
+    """reference.png, or None if the run has not been compared with data."""
+    return draw_reference(directory, [(history, read_summary(directory), "", BLUE, "-")], *title_of(directory))
 
 
 def main(arguments):
@@ -29,7 +36,7 @@ def main(arguments):
         history = read_history(directory)
     except (OSError, ValueError) as error:
         failed = fail(f"read history of {directory}: {error}")
-    for draw in (draw_section, draw_damage, draw_history):
+    for draw in (draw_section, draw_damage, draw_history, draw_data):
         try:
             picture = draw(directory, history)
         except (OSError, ValueError, KeyError) as error:

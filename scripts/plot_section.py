@@ -15,7 +15,7 @@ STEEL, STEEL_EDGE = "#8795A3", "#2F3840"
 
 
 def spacing_of(points):
-    """Distance of neighbouring points of a lattice [mm], from the first frame."""
+    """Distance of neighbouring points of a lattice [mm] that has not moved yet."""
     for coordinate in (points[:, 1], points[:, 0]):
         steps = np.diff(np.sort(coordinate))
         steps = steps[steps > 0.01 * steps.max(initial=1e-3)]  # the others are rounding of equal coordinates
@@ -31,8 +31,10 @@ def squares(points, sizes):
 
 
 def sizes_of(first):
-    """Edge of the squares that stand for the points of each body [mm], from the first frame."""
-    return {body: spacing_of(first.points[first.body == body]) for body in np.unique(first.body)}
+    """Edge of the squares that stand for the points of each body [mm]: the grid spacing. The first frame, which may show
+    plates that have moved, is asked only about bodies that are no plates."""
+    return {body: first.spacings.get(int(body)) or spacing_of(first.points[first.body == body])
+            for body in np.unique(first.body)}
 
 
 def window(frames, first):
@@ -41,11 +43,12 @@ def window(frames, first):
     shown = [outlines]
     for frame in frames:
         if len(frame.damage) == len(first.points):
-            shown.append(first.points[frame.damage > 0.05])
+            where = first.points[frame.damage > 0.05]
+            shown.append(np.clip(where, *first.extent) if first.extent else where)  # in the plates, wherever it flies
     shown = np.concatenate(shown)
     low, high = shown.min(axis=0), shown.max(axis=0)
     if len(first.points):
-        plate_low, plate_high = first.points.min(axis=0), first.points.max(axis=0)
+        plate_low, plate_high = first.extent or (first.points.min(axis=0), first.points.max(axis=0))
         low[1], high[1] = min(low[1], plate_low[1]), max(high[1], plate_high[1])
         # A plate only a little longer than the event is shown whole.
         length = high[0] - low[0]

@@ -27,15 +27,19 @@ def label(row):
     """What stands in a field: two digits of what decided."""
     if row is None:
         return ""
-    verdict, reason, nan = row["verdict"], row["reason"], float("nan")
+    verdict, reason = row["verdict"], row.get("reason") or ""
     if verdict == "unstable" and reason.startswith("hourglass"):
         return "hourglass drifts"
     if verdict == "unstable":
-        return f"grows {row.number('growth_per_step', empty=nan):.2g}/step"
+        known = row.get("growth_per_step") not in (None, "", "-")
+        return f"grows {row.number('growth_per_step'):.2g}/step" if known else verdict
     if verdict == "inaccurate" and reason != "strain error":
-        return f"{reason} {row.number('energy_drift', empty=nan):.1g}" if reason == "energy drift" else reason
+        known = reason == "energy drift" and row.get("energy_drift") not in (None, "", "-")
+        return f"{reason} {row.number('energy_drift'):.1g}" if known else reason or verdict
     if verdict in ("stable", "inaccurate"):
-        percent = 100 * row.number("strain_error", empty=nan)
+        if row.get("strain_error") in (None, "", "-"):  # not among the columns, or not measured
+            return verdict
+        percent = 100 * row.number("strain_error")
         return f"strain {percent:.0f} %" if percent >= 10 else f"strain {percent:.2g} %"
     return "failed"
 

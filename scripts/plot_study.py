@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draw comparison.png from the runs of a ricochet study: the paths of all cases in one diagram, and of each the
-section at its end with what came out.
+section at its end with what came out; eight cases a page, the others in comparison_2.png and so on. With data of
+others also reference.png.
 
     plot_study.py STUDY_DIRECTORY
 
-Reads study.csv of that folder and the results in the folders of its cases; at most eight cases are drawn. Exit status:
+Reads study.csv and study.json of that folder and the results in the folders of its cases. Exit status:
 0 drawn, 1 nothing to draw or a damaged file, 2 wrong use, 3 matplotlib or h5py not installed.
 """
 
@@ -13,10 +14,11 @@ import os
 import sys
 
 from plot_damage import draw_damage_bar
+from plot_reference import columns_of, draw_reference
 from plot_section import draw_frame, sizes_of, window
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILION
-from plot_style import asks_for_help, close_box, fail, plt, save, ticks
-from read_run import read_frames, read_history, read_summary, title_of
+from plot_style import asks_for_help, close_box, fail, plain, plt, save, ticks
+from read_run import read_frames, read_history, read_study, read_summary
 from read_table import read_csv
 
 # Dashes tell the cases too.
@@ -28,12 +30,11 @@ MOST = len(COLORS)
 class Case:
     """One run: name, title, summary, history and last frame; what is missing is None."""
 
-    def __init__(self, directory, name):
-        self.name = name
+    def __init__(self, directory, name, label):
+        self.name, self.label = name, plain(label)
         folder = os.path.join(directory, name)
         self.summary = read_summary(folder)
         self.history = read_history(folder)
-        self.title = title_of(folder)[0]
         self.frames, self.first = read_frames(folder, n_panels=2)
 
     def exists(self):
@@ -43,21 +44,10 @@ class Case:
 
 def read_cases(directory):
     """The cases of study.csv in their order, as far as they have run, and how many there are in all."""
+    labels = {case["name"]: case["label"] for case in read_study(directory).get("cases", [])}
     names = [row["case"] for row in read_csv(os.path.join(directory, "study.csv"))]
-    cases = []
-    for name in names:
-        case = Case(directory, name)
-        if case.exists():
-            cases.append(case)
-        if len(cases) == MOST:
-            break
-    return cases, len(names)
-
-
-def label_of(case, cases):
-    """The title of the case, or its name where titles do not tell the cases apart."""
-    titles = [other.title for other in cases]
-    return case.title if titles.count(case.title) == 1 else case.name.replace("__", ", ").replace("_", " ")
+    cases = [Case(directory, name, labels.get(name) or name.replace("__", ", ").replace("_", " ")) for name in names]
+    return [case for case in cases if case.exists()], len(names)
 
 
 def numbers_of(case):
@@ -68,24 +58,38 @@ def numbers_of(case):
     exit_text = "" if s.get("exit_speed_m_s") is None else f", {s['exit_speed_m_s']:.0f} m/s"
     if exit_text and s.get("exit_angle_deg") is not None:
         exit_text += f" at {s['exit_angle_deg']:.0f}°".replace("-", "−")
-    lines = [f"{s.get('outcome', '')}{exit_text}; depth {s.get('max_depth_mm', float('nan')):.1f} mm, "
-             f"path {s.get('path_mm', float('nan')):.0f} mm"]
+    depth = "" if s.get("max_depth_mm") is None else f"; depth {s['max_depth_mm']:.1f} mm"
+    path = "" if s.get("path_mm") is None else f"; path {s['path_mm']:.0f} mm"
+    lines = [f"{s.get('outcome', '')}{exit_text}{depth}{path}"]
     plates = [key[: -len("_broken_share")] for key in s if key.startswith("plate_") and key.endswith("_broken_share")]
     for plate in plates:
-        front, rear = (s[f"{plate}_{face}_damaged_mm2"] for face in ("front", "rear"))
+        front, rear = (s.get(f"{plate}_{face}_damaged_mm2") or 0 for face in ("front", "rear"))
         lines.append((f"plate {plate.split('_')[1]}: " if len(plates) > 1 else "") +
                      f"{100 * s[plate + '_broken_share']:.1f} % of the bonds, damaged front "
                      f"{front:.0f}, rear {rear:.0f} mm²")
     return "\n".join(lines)
 
 
+def overlay_positions(axes, cases):
+    """Places of the projectile that somebody else gives."""
+    columns = {column["name"]: column["points"] for case in cases for column in columns_of(case.summary)}
+    x = {point["time_us"]: point for point in columns.get("x", [])}
+    for point in columns.get("z", []):
+        if point["time_us"] in x:
+            other = x[point["time_us"]]
+            axes.errorbar([other["wanted"]], [point["wanted"]], xerr=other["error_bar"], yerr=point["error_bar"],
+                          fmt="o", color=BLACK, markersize=4, linewidth=0.9, capsize=2, zorder=6)
+
+
 def draw_paths(axes, cases):
     """The ways of the centroids in the plane of the flight."""
     for i, case in enumerate(cases):
         x, z = case.history["x"], case.history["z"]
-        axes.plot(x, z, color=COLORS[i], linestyle=DASHES[i], label=label_of(case, cases))
+        axes.plot(x, z, color=COLORS[i], linestyle=DASHES[i], label=case.label)
         axes.plot(x[-1:], z[-1:], "o", color=COLORS[i], markersize=4)
     axes.axhline(0, color=GREY, linewidth=0.8, linestyle=(0, (4, 3)))
+    overlay_positions(axes, cases)
+    axes.set_aspect("equal", adjustable="datalim", anchor="W")
     axes.set_xlabel("x [mm]", labelpad=2)
     axes.set_ylabel("z of the centroid [mm]", labelpad=2)
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0, handlelength=2.6)
@@ -112,7 +116,7 @@ def write_results(axes, case, cases, n_lines, panel_height):
     axes.text(0, 1.02, numbers_of(case), transform=axes.transAxes, size=7.5, va="bottom", color="#444444",
               linespacing=1.25)
     axes.text(0, 1.02 + 0.155 * (n_lines - 1) / panel_height,
-              f"{label_of(case, cases)}, at {case.frames[-1].time:.0f} µs",
+              f"{case.label}, at {case.frames[-1].time:.0f} µs",
               transform=axes.transAxes, size=8.5, weight="bold", va="bottom", color=color)
 
 
@@ -124,11 +128,8 @@ def windows(cases):
                                                                        max(high[1] for high in highs))
 
 
-def draw(directory):
-    """comparison.png, or None if no case has results."""
-    cases, n_all = read_cases(directory)
-    if not cases:
-        return None
+def draw_page(directory, cases, page, n_pages, n_missing):
+    """One page of the comparison."""
     shown = [case for case in cases if case.frames]
     lines = max(numbers_of(case).count("\n") + 2 for case in cases)
     n_columns = 1 if len(shown) == 1 else 2
@@ -141,10 +142,12 @@ def draw(directory):
     sections = n_rows * (panel * ratio + gap_y)
     height = top + paths + 0.35 + sections + bottom
     figure = plt.figure(figsize=(width, height))
-    title = os.path.basename(os.path.abspath(directory)).replace("_", " ") + ": comparison of the cases"
-    if n_all > len(cases):
-        title += f" (the first {len(cases)} of {n_all} that have run)"
-    figure.text(0.12 / width, 1 - 0.12 / height, title, size=11, weight="bold", va="top")
+    title = study_title(directory)
+    if n_pages > 1:
+        title += f" ({page} of {n_pages})"
+    if n_missing:
+        title += f": without {n_missing} " + ("case that has" if n_missing == 1 else "cases that have") + " no results"
+    figure.text(0.12 / width, 1 - 0.12 / height, plain(title), size=11, weight="bold", va="top")
     draw_paths(figure.add_axes([left / width, (bottom + sections + 0.35) / height, 6.0 / width, paths / height]),
                cases)
 
@@ -163,9 +166,25 @@ def draw(directory):
             axes.set_ylabel("z [mm]", labelpad=2)
     if shown:
         draw_damage_bar(figure, plates, right, bottom, min(sections - gap_y, 3.2))
-    target = os.path.join(directory, "comparison.png")
+    target = os.path.join(directory, "comparison.png" if page == 1 else f"comparison_{page}.png")
     save(figure, target)
     return target
+
+
+def study_title(directory):
+    """The title of the study, or the name of its folder."""
+    return read_study(directory).get("title") or os.path.basename(os.path.abspath(directory)).replace("_", " ")
+
+
+def draw(directory):
+    """All pictures; none if no case has results."""
+    cases, n_all = read_cases(directory)
+    pages = [cases[i : i + MOST] for i in range(0, len(cases), MOST)]
+    targets = [draw_page(directory, some, i + 1, len(pages), n_all - len(cases)) for i, some in enumerate(pages)]
+    runs = [(case.history, case.summary, case.label, COLORS[i % MOST], DASHES[i // MOST % len(DASHES)])
+            for i, case in enumerate(cases)]
+    compared = draw_reference(directory, runs, study_title(directory), "against data of others")
+    return targets + ([compared] if compared else [])
 
 
 def main(arguments):
@@ -175,12 +194,12 @@ def main(arguments):
         return status
     plt.rcParams.update(STYLE)
     try:
-        target = draw(arguments[1])
+        targets = draw(arguments[1])
     except (OSError, ValueError, KeyError) as error:
         return fail(f"{arguments[1]}: {error}")
-    if target is None:
+    if not targets:
         return fail(f"no case of {arguments[1]} has a history")
-    print("Picture: " + target)
+    print(("Picture: " if len(targets) == 1 else "Pictures: ") + ", ".join(targets))
     return 0
 
 

@@ -39,14 +39,19 @@ STYLE = {
 }
 
 
+def plain(text):
+    """Any text as matplotlib shall show it: without formulas between dollar signs."""
+    return str(text).replace("$", r"\$")
+
+
 def write_title(figure, title, outcome):
     """Title and outcome in the upper left corner, at fixed distances from the edge."""
     width, height = figure.get_size_inches()
     longest = int(width * 10.5)
     if len(title) > longest:
         title = title[: longest - 1].rstrip() + "…"
-    figure.text(0.12 / width, 1 - 0.12 / height, title, size=11, weight="bold", va="top")
-    figure.text(0.12 / width, 1 - 0.36 / height, outcome, size=9, color="#444444", va="top")
+    figure.text(0.12 / width, 1 - 0.12 / height, plain(title), size=11, weight="bold", va="top")
+    figure.text(0.12 / width, 1 - 0.36 / height, plain(outcome), size=9, color="#444444", va="top")
 
 
 def ticks(number):

@@ -4,6 +4,7 @@
 import csv
 import json
 import os
+import re
 import sys
 
 try:
@@ -40,6 +41,9 @@ class History:
         return name in self.columns
 
     def __getitem__(self, name):
+        if name == "path" and name not in self.columns:  # follows from the others
+            steps = [np.diff(self[axis], prepend=self[axis][:1]) for axis in "xyz"]
+            return np.cumsum(np.sqrt(sum(step**2 for step in steps)))
         if name not in self.columns:
             raise without(self.path, name, self.columns)
         return self.columns[name]
@@ -85,6 +89,15 @@ def read_summary(directory):
         return None
 
 
+def read_study(directory):
+    """What study.json says of a study: title, axes, cases; an empty object if there is none."""
+    try:
+        with open(os.path.join(directory, "study.json"), encoding="utf-8") as file:
+            return json.load(file)
+    except (OSError, ValueError):
+        return {}
+
+
 def stated_times(directory):
     """Times [s] at which the parameter file asks for panels; empty if it does not, or if the run has not ended."""
     summary = read_summary(directory) or {}
@@ -106,7 +119,39 @@ def read_frames(directory, stated=(), n_panels=6):
         if len(stated) % 2 == 1:
             wanted.append(times[-1])  # there is room for it
         chosen = sorted({int(np.argmin(np.abs(times - time))) for time in wanted})
-        return [Frame(file[names[i]]) for i in chosen], Frame(file[names[0]])
+        first = Frame(file[names[0]])
+        first.spacings, first.extent = spacings(directory), plate_extent(directory)
+        return [Frame(file[names[i]]) for i in chosen], first
+
+
+def spacings(directory):
+    """Grid spacing of the plates by their number [mm], as the run used it."""
+    found, plate = {}, None
+    try:
+        with open(os.path.join(directory, "used.prm"), encoding="utf-8") as file:
+            lines = file.read().splitlines()
+    except OSError:
+        return found
+    for line in lines:
+        words = line.split("#")[0].split()
+        if words[:2] == ["subsection", "Plate"]:
+            plate = int(words[2])
+        elif words[:1] == ["end"]:
+            plate = None
+        elif plate and words[:4] == ["set", "Grid", "spacing", "="]:
+            number, unit = re.fullmatch(r"([-+.0-9eE]+?)([a-zµ]+)", "".join(words[4:])).groups()
+            found[plate] = float(number) * {"um": 1e-3, "µm": 1e-3, "mm": 1, "cm": 10, "m": 1e3, "in": 25.4}[unit]
+    return found
+
+
+def plate_extent(directory):
+    """Lowest and highest x and z of all plates before anything has moved [mm]; None if the run has not ended."""
+    summary, number, length, thickness = read_summary(directory) or {}, 1, 0.0, 0.0
+    while summary.get(f"plate_{number}_length_mm") is not None:
+        length = max(length, summary[f"plate_{number}_length_mm"])
+        thickness += summary[f"plate_{number}_thickness_mm"]
+        number += 1
+    return (np.array([0.0, -thickness]), np.array([length, 0.0])) if number > 1 else None
 
 
 def read_damage(directory):

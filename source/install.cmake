@@ -8,6 +8,7 @@ set(data_dir ${CMAKE_INSTALL_DATADIR}/ricochet)
 install(TARGETS ricochet COMPONENT program)
 install(DIRECTORY scripts prm meshes DESTINATION ${data_dir} COMPONENT program
   PATTERN __pycache__ EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/share/ricochet/plotly.js.gz DESTINATION ${data_dir} COMPONENT program OPTIONAL)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc COMPONENT program)
 
@@ -38,7 +39,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME ricochet)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS openmpi-bin)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-matplotlib, python3-h5py") # without them no pictures
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-matplotlib, python3-h5py, python3-plotly") # without them no pictures
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME ricochet-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libdeal.ii-dev, libopenmpi-dev, libhdf5-openmpi-dev, libeigen3-dev, \
 libnanoflann-dev, nlohmann-json3-dev")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "check.h"
 
+#include "reference_data.h"
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/number_text.h"
 #include "ricochet/base/state_size.h"
@@ -207,6 +208,7 @@ bool check_scene(const MPI_Comm communicator, const ParameterFile &file,
                  const CheckOptions &options)
 {
   const Scene scene = read_scene(file);
+  reference_data_of(scene); // whether it can be read
   Simulation simulation(communicator, scene);
   std::vector<InterfaceReport> interfaces;
   if (options.coupling)

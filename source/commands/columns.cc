@@ -16,6 +16,8 @@ using Json = nlohmann::ordered_json;
 /// Where a field stands: "zones[].elements", "plate_N_broken_share".
 std::string full_name(const SummaryField &field)
 {
+  if (field.place == "reference_data")
+    return field.place + "." + field.name + "[]";
   const bool is_list = !field.place.empty() && field.place.back() != '_';
   return field.place + (is_list ? "[]." : "") + field.name;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reference_comparison.h"
 #include "ricochet/base/number_text.h"
 #include "run.h"
 
@@ -26,6 +27,13 @@ std::string describe_further(const nlohmann::ordered_json &summary)
     }
   return lines;
 }
+
+/// "" without reference data.
+std::string data_lines(const nlohmann::ordered_json &summary)
+{
+  const std::string text = describe_reference_data(summary);
+  return text.empty() ? "" : "\ndata        " + text;
+}
 } // namespace
 
 std::string describe_run(const nlohmann::ordered_json &summary)
@@ -51,7 +59,7 @@ std::string describe_run(const nlohmann::ordered_json &summary)
          ", angular momentum drift " + power("angular_momentum_drift") + "\ncost        " +
          rounded("points", 0) + " points, " + rounded("steps", 0) + " steps, " +
          rounded("core_seconds", 1) + " core-seconds, " +
-         with_decimals(1e-6 * number("bond_rate_per_core"), 0) +
-         " M directed bonds/s per core\nresults     " + text("directory");
+         with_decimals(1e-6 * number("bond_rate_per_core"), 0) + " M directed bonds/s per core" +
+         data_lines(summary) + "\nresults     " + text("directory");
 }
 } // namespace ricochet

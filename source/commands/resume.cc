@@ -38,7 +38,9 @@ const std::vector<std::string> &entries_free_to_change()
                                                 "Output/History interval",
                                                 "Output/Checkpoint interval",
                                                 "Output/Checkpoint wall-clock interval",
-                                                "Output/Pictures"};
+                                                "Output/Pictures",
+                                                "Output/Report",
+                                                "Output/Reference data"};
   return entries;
 }
 

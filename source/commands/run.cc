@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run.h"
 
+#include "reference_comparison.h"
 #include "result_folder.h"
 #include "resume.h"
 #include "ricochet/base/mpi_tools.h"
@@ -35,6 +36,7 @@ nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &fil
 {
   const double start_cpu_seconds = cpu_seconds(communicator);
   const Scene scene              = read_scene(file);
+  auto data                      = reference_data_of(scene); // before the work, not after it
   Simulation simulation(communicator, scene);
   if (resumed == nullptr)
     prepare_result_folder(communicator, scene.output.directory, file, options.force);
@@ -44,7 +46,8 @@ nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &fil
   // A run wants to begin: 3 % of the strain error are good enough. The test moves the nodes and
   // brings them back, so it comes before all that only looks at the simulation.
   auto interfaces = interface_reports(communicator, simulation, /*residual_left=*/3e-2);
-  SceneRun run(communicator, simulation, std::move(interfaces), options, used_parameters(file));
+  SceneRun run(communicator, simulation, std::move(interfaces), std::move(data), options,
+               used_parameters(file));
   if (resumed != nullptr)
   {
     run.exchange_state(*resumed->archive);
@@ -58,6 +61,8 @@ nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &fil
   auto summary = run(start_cpu_seconds);
   if (scene.output.pictures)
     draw_pictures(communicator, scene.output.directory, options.quiet);
+  if (scene.output.report)
+    write_report(communicator, scene.output.directory, options.quiet);
   return summary;
 }
 /// A run that was stopped before its first checkpoint.

@@ -24,6 +24,12 @@ std::string at(const double time)
 }
 } // namespace
 
+void RunWarnings::say(const std::string &text)
+{
+  warn(communicator_, text);
+  given_.push_back(text);
+}
+
 void RunWarnings::update(const Simulation &simulation)
 {
   check_depth(simulation);
@@ -41,10 +47,9 @@ void RunWarnings::check_depth(const Simulation &simulation)
   for (std::size_t i = 0; i < simulation.n_projectiles(); ++i)
     deepest_ = std::max(deepest_, simulation.reaction(i).deepest_in_spacings);
   if (deepest_ > deep && before <= deep)
-    warn(communicator_,
-         at(simulation.time()) + "points lie " + with_decimals(deepest_, 2) +
-             " spacings deep in the projectile, more than half a spacing: contact is too soft "
-             "for this impact. Raise 'Contact/Stiffness factor' or lower 'Time/Safety factor'.");
+    say(at(simulation.time()) + "points lie " + with_decimals(deepest_, 2) +
+        " spacings deep in the projectile, more than half a spacing: contact is too soft "
+        "for this impact. Raise 'Contact/Stiffness factor' or lower 'Time/Safety factor'.");
 }
 
 void RunWarnings::check_elements(const Simulation &simulation, const std::size_t projectile)
@@ -54,12 +59,11 @@ void RunWarnings::check_elements(const Simulation &simulation, const std::size_t
   on_elements_since_ = simulation.time();
   if (simulation.scene().zone.kind == ZoneKind::none) // who wants elements alone knows
     return;
-  warn(communicator_,
-       at(on_elements_since_) + "the projectile, at x = " +
-           with_decimals(simulation.projectile(projectile).motion().position.x() / mm, 0) +
-           " mm, touches finite elements, which do not break: the peridynamic zone ends too early, "
-           "and what follows is not to be trusted. Set 'Coupling/Adaptive = true', or enlarge the "
-           "zone.");
+  say(at(on_elements_since_) + "the projectile, at x = " +
+      with_decimals(simulation.projectile(projectile).motion().position.x() / mm, 0) +
+      " mm, touches finite elements, which do not break: the peridynamic zone ends too early, "
+      "and what follows is not to be trusted. Set 'Coupling/Adaptive = true', or enlarge the "
+      "zone.");
 }
 
 /// Boxes along the axes: who lies beside another at a slant may be named although there is room.
@@ -73,12 +77,12 @@ void RunWarnings::check_projectiles(const Simulation &simulation)
       if ((a.first.array() > b.second.array()).any() || (b.first.array() > a.second.array()).any())
         continue;
       projectiles_meet_ = true;
-      warn(communicator_, at(simulation.time()) + "the boxes around projectiles " +
-                              std::to_string(j + 1) + " and " + std::to_string(i + 1) +
-                              " overlap. Projectiles do not touch each other: if they meet, they "
-                              "pass through each other, and what follows is not to be trusted. "
-                              "Move 'Impact " +
-                              std::to_string(i + 1) + "/Entry point'.");
+      say(at(simulation.time()) + "the boxes around projectiles " + std::to_string(j + 1) +
+          " and " + std::to_string(i + 1) +
+          " overlap. Projectiles do not touch each other: if they meet, they "
+          "pass through each other, and what follows is not to be trusted. "
+          "Move 'Impact " +
+          std::to_string(i + 1) + "/Entry point'.");
     }
 }
 
@@ -89,10 +93,9 @@ void RunWarnings::check_yield(const Simulation &simulation, const std::size_t pr
   if (yields_ || limit <= 0. || found <= limit)
     return;
   yields_ = true;
-  warn(communicator_, at(simulation.time()) + "the projectile's von Mises stress is " +
-                          with_digits(found / MPa, 4) +
-                          " MPa, above 'Projectile/Yield stress = " + with_digits(limit / MPa, 4) +
-                          " MPa': it would flow, and the model is elastic.");
+  say(at(simulation.time()) + "the projectile's von Mises stress is " +
+      with_digits(found / MPa, 4) + " MPa, above 'Projectile/Yield stress = " +
+      with_digits(limit / MPa, 4) + " MPa': it would flow, and the model is elastic.");
 }
 
 void RunWarnings::update(const Moment &moment)
@@ -102,13 +105,11 @@ void RunWarnings::update(const Moment &moment)
   if (known || !hourglass_.is_large())
     return;
   const auto &found = hourglass_.largest();
-  warn(communicator_,
-       at(found.time) + with_decimals(100. * found.share, 0) +
-           " % of the energy in the elements of plate " + std::to_string(found.plate + 1) +
-           " are in their hourglass modes, more than " +
-           with_decimals(100. * HourglassWatch::most, 0) +
-           " %: elements are too large for what they have to follow. Set 'Coupling/Quadrature = "
-           "full', choose fewer 'Coupling/Coarsening levels', or enlarge the zone.");
+  say(at(found.time) + with_decimals(100. * found.share, 0) +
+      " % of the energy in the elements of plate " + std::to_string(found.plate + 1) +
+      " are in their hourglass modes, more than " + with_decimals(100. * HourglassWatch::most, 0) +
+      " %: elements are too large for what they have to follow. Set 'Coupling/Quadrature = "
+      "full', choose fewer 'Coupling/Coarsening levels', or enlarge the zone.");
 }
 
 void RunWarnings::exchange_state(StateArchive &archive)
@@ -119,5 +120,12 @@ void RunWarnings::exchange_state(StateArchive &archive)
   archive.common("projectiles meet", projectiles_meet_);
   archive.common("yields", yields_);
   hourglass_.exchange_state(archive);
+  std::string lines; // no warning has a line break
+  for (const auto &text : given_)
+    lines += text + '\n';
+  archive.common("given", lines);
+  given_.clear();
+  for (std::size_t at = 0, end; (end = lines.find('\n', at)) != std::string::npos; at = end + 1)
+    given_.push_back(lines.substr(at, end - at));
 }
 } // namespace ricochet

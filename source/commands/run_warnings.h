@@ -4,6 +4,9 @@
 
 #include "ricochet/simulation/hourglass_watch.h"
 
+#include <string>
+#include <vector>
+
 namespace ricochet
 {
 class RunWarnings
@@ -25,7 +28,11 @@ public:
   /// The largest so far.
   const HourglassShare &hourglass() const { return hourglass_.largest(); }
 
+  /// All that have been given so far.
+  const std::vector<std::string> &given() const { return given_; }
+
 private:
+  void say(const std::string &text);
   void check_depth(const Simulation &simulation);
   void check_elements(const Simulation &simulation, std::size_t projectile);
   void check_yield(const Simulation &simulation, std::size_t projectile);
@@ -35,5 +42,6 @@ private:
   double deepest_ = 0., on_elements_since_ = -1.;
   bool projectiles_meet_ = false, yields_ = false; // a projectile would
   HourglassWatch hourglass_;
+  std::vector<std::string> given_;
 };
 } // namespace ricochet

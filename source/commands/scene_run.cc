@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene_run.h"
 
+#include "command_line.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/units.h"
 #include "ricochet/base/version.h"
+#include "ricochet/output/collective.h"
 #include "ricochet/output/summary.h"
 #include "ricochet/simulation/observation.h"
 #include "ricochet/simulation/sanity_check.h"
@@ -37,21 +39,23 @@ double cpu_seconds(const MPI_Comm communicator)
 }
 
 SceneRun::SceneRun(const MPI_Comm communicator, Simulation &simulation,
-                   std::vector<InterfaceReport> interfaces, const RunOptions &options,
-                   const std::string &parameters) :
+                   std::vector<InterfaceReport> interfaces, std::optional<ReferenceData> data,
+                   const RunOptions &options, const std::string &parameters) :
   communicator_(communicator),
   options_(options), simulation_(simulation), scene_(simulation.scene()),
   damage_(communicator, simulation), warnings_(communicator), directory_(scene_.output.directory),
   history_(communicator, directory_, names_and_units(simulation.n_projectiles())),
   frames_(communicator, directory_, scene_.output.vtu),
   checkpoints_(communicator, scene_.output, parameters),
-  records_due_(scene_.output.history_interval), frames_due_(scene_.output.frame_interval)
+  records_due_(scene_.output.history_interval), frames_due_(scene_.output.frame_interval),
+  data_(std::move(data))
 {
   for (std::size_t i = 0; i < simulation.n_projectiles(); ++i)
     watches_.push_back(watch_of(simulation, i));
   notes_.further_positions.resize(watches_.size() - 1, nlohmann::ordered_json::array());
   notes_.directory     = directory_.string();
   notes_.version       = version();
+  notes_.command       = command_line();
   notes_.n_ranks       = size_of(communicator);
   notes_.n_points      = simulation.n_points();
   notes_.n_bonds       = damage_.n_bonds();
@@ -241,6 +245,10 @@ nlohmann::ordered_json SceneRun::finish(const double start_cpu_seconds)
   notes_.deepest           = warnings_.deepest();
   notes_.on_elements_since = warnings_.on_elements_since();
   notes_.hourglass         = warnings_.hourglass();
+  notes_.warnings          = warnings_.given();
+  if (data_)
+    on_first_rank(communicator_,
+                  [&] { notes_.reference_data = compare_with_data(directory_, *data_); });
   RunEnd end{simulation_, watches_[0], verdicts_[0], totals_, notes_};
   for (std::size_t i = 1; i < watches_.size(); ++i)
     end.further.push_back({watches_[i], verdicts_[i]});

@@ -4,6 +4,7 @@
 
 #include "checkpoints.h"
 #include "interruption.h"
+#include "reference_comparison.h"
 #include "ricochet/output/field_writer.h"
 #include "ricochet/output/history.h"
 #include "ricochet/output/progress.h"
@@ -12,6 +13,7 @@
 #include "run_warnings.h"
 
 #include <chrono>
+#include <optional>
 
 namespace ricochet
 {
@@ -47,7 +49,8 @@ public:
   /// Of a simulation at its start, which must outlive this object. The folder of the results is
   /// prepared; `parameters`: all that is used, as text.
   SceneRun(MPI_Comm communicator, Simulation &simulation, std::vector<InterfaceReport> interfaces,
-           const RunOptions &options, const std::string &parameters);
+           std::optional<ReferenceData> data, const RunOptions &options,
+           const std::string &parameters);
 
   /// Saves or restores the run with its simulation, and all that it has written. Collective.
   void exchange_state(StateArchive &archive);
@@ -81,6 +84,7 @@ private:
   Checkpoints checkpoints_;
   Schedule records_due_, frames_due_;
   Totals totals_; // of the last record
+  std::optional<ReferenceData> data_;
   RunNotes notes_;
   double earlier_core_seconds_ = 0.; // before a resume [s]
   long first_step_             = 0;  // of this process

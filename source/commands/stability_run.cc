@@ -28,7 +28,44 @@ const char *method_name(const CouplingMethod method)
       return entry.name;
   return "";
 }
+
+nlohmann::ordered_json summary_of(const StabilityParameters &parameters,
+                                  const StabilityResult &result, const double wall_seconds)
+{
+  return {{"title", parameters.title},
+          {"method", method_name(parameters.coupling.method)},
+          {"verdict", verdict_name(result.verdict)},
+          {"reason", result.reason},
+          {"growth_per_step", result.growth_per_step},
+          {"growth_per_us", result.growth_per_us},
+          {"growth", result.growth},
+          {"ran_away", result.ran_away},
+          {"steps", result.n_steps},
+          {"time_step_us", result.time_step / units::us},
+          {"step_over_measured_limit", result.time_step / result.measured_step},
+          {"predicted_over_measured_limit", result.predicted_step / result.measured_step},
+          {"energy_drift", result.energy_drift},
+          {"hourglass_growth", result.hourglass_growth},
+          {"ghost_force", result.patch.ghost_force},
+          {"strain_error", result.patch.strain_error},
+          {"smallest_eigenvalue", result.smallest_eigenvalue},
+          {"free_points", result.n_points},
+          {"elements", result.n_elements},
+          {"wall_seconds", wall_seconds},
+          {"failed", false},
+          {"interrupted", false},
+          {"version", version()}};
+}
 } // namespace
+
+std::vector<std::string> stability_fields()
+{
+  std::vector<std::string> names;
+  const auto summary = summary_of({}, {}, 0.);
+  for (const auto &[name, value] : summary.items())
+    names.push_back(name);
+  return names;
+}
 
 nlohmann::ordered_json run_stability(const MPI_Comm communicator, const ParameterFile &file,
                                      const RunOptions &options)
@@ -39,31 +76,9 @@ nlohmann::ordered_json run_stability(const MPI_Comm communicator, const Paramete
   prepare_result_folder(communicator, directory, file, options.force);
 
   const auto result = run_stability_experiment(communicator, parameters);
-  nlohmann::ordered_json summary{
-      {"title", parameters.title},
-      {"method", method_name(parameters.coupling.method)},
-      {"verdict", verdict_name(result.verdict)},
-      {"reason", result.reason},
-      {"growth_per_step", result.growth_per_step},
-      {"growth_per_us", result.growth_per_us},
-      {"growth", result.growth},
-      {"ran_away", result.ran_away},
-      {"steps", result.n_steps},
-      {"time_step_us", result.time_step / units::us},
-      {"step_over_measured_limit", result.time_step / result.measured_step},
-      {"predicted_over_measured_limit", result.predicted_step / result.measured_step},
-      {"energy_drift", result.energy_drift},
-      {"hourglass_growth", result.hourglass_growth},
-      {"ghost_force", result.patch.ghost_force},
-      {"strain_error", result.patch.strain_error},
-      {"smallest_eigenvalue", result.smallest_eigenvalue},
-      {"free_points", result.n_points},
-      {"elements", result.n_elements},
-      {"wall_seconds",
-       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
-      {"failed", false},
-      {"interrupted", false},
-      {"version", version()}};
+  const auto summary =
+      summary_of(parameters, result,
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   write_summary(communicator, directory, summary);
   return summary;
 }

@@ -11,6 +11,9 @@ namespace ricochet
 /// Columns of the table of a study of such experiments.
 extern const std::vector<std::string> stability_columns;
 
+/// All that the summary of an experiment has.
+std::vector<std::string> stability_fields();
+
 /// Runs the experiment of a file with a section Stability into its results folder and returns its
 /// summary. Collective; throws InputError and FileError like run_scene().
 nlohmann::ordered_json run_stability(MPI_Comm communicator, const ParameterFile &file,

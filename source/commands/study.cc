@@ -8,62 +8,24 @@
 #include "ricochet/output/collective.h"
 #include "ricochet/output/pictures.h"
 #include "ricochet/output/result_directory.h"
-#include "ricochet/output/table.h"
-#include "ricochet/scene/scene_reader.h"
 #include "ricochet/scene/study_file.h"
 #include "run.h"
 #include "stability_run.h"
-#include "study_plates.h"
+#include "study_case.h"
+#include "study_table.h"
 #include "warning.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <memory>
-#include <sstream>
+#include <iostream>
 
 namespace ricochet
 {
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-const std::vector<std::string> default_columns{"outcome",   "exit_speed_m_s",  "exit_angle_deg",
-                                               "pitch_deg", "max_depth_mm",    "path_mm",
-                                               "time_us",   "energy_residual", "core_seconds"};
-
-std::string read_text(const std::filesystem::path &path)
-{
-  std::ifstream in(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-/// The summary of an earlier, complete run with the same parameters in the folder, or null. The
-/// same on all ranks.
-Json finished_summary(const MPI_Comm communicator, const ParameterFile &file,
-                      const std::filesystem::path &directory)
-{
-  Json summary;
-  bool finished = false;
-  if (rank_in(communicator) == 0)
-  {
-    std::ostringstream used;
-    write_used_parameters(file, used);
-    summary =
-        Json::parse(read_text(directory / "summary.json"), nullptr, /*allow_exceptions=*/false);
-    finished = summary.is_object() && !summary.value("failed", true) &&
-               !summary.value("interrupted", true) &&
-               read_text(directory / "used.prm") == used.str();
-  }
-  return broadcast(communicator, finished, /*root=*/0)
-             ? (summary.is_object() ? summary : Json::object())
-             : Json();
-}
 
 void write_comparison(const StudyParameters &study, const std::vector<Json> &summaries,
                       const std::filesystem::path &directory)
@@ -88,25 +50,15 @@ public:
         const StudyOptions &options) :
     communicator_(communicator),
     parameters_(parameters), options_(options), directory_(parameters.output_directory),
-    plates_(parameters), speaks_(rank_in(communicator) == 0), summaries_(parameters.cases.size())
+    table_(parameters), speaks_(rank_in(communicator) == 0), summaries_(parameters.cases.size())
   {
-    // Experiments and scenes do not share columns.
-    is_map_ = std::all_of(parameters.cases.begin(), parameters.cases.end(),
-                          [](const StudyCase &one) { return one.is_experiment; });
-    chosen_ = !parameters.columns.empty() ? parameters.columns
-              : is_map_                   ? stability_columns
-                                          : default_columns;
-    std::vector<std::string> columns{"case"};
-    columns.insert(columns.end(), chosen_.begin(), chosen_.end());
-    columns.insert(columns.end(), plates_.columns().begin(), plates_.columns().end());
-    columns.push_back("status");
-    table_ = std::make_unique<Table>(columns);
   }
 
   /// Throws FileError unless the folder is new, empty or may hold results.
   void prepare_folder()
   {
-    const bool holds_results = speaks_ && !options_.resume && std::filesystem::exists(directory_) &&
+    const bool may_hold      = options_.resume || options_.collect || options_.only > 0;
+    const bool holds_results = speaks_ && !may_hold && std::filesystem::exists(directory_) &&
                                !std::filesystem::is_empty(directory_);
     if (broadcast(communicator_, holds_results, /*root=*/0))
       throw FileError("The study's results folder '" + directory_.string() +
@@ -115,41 +67,86 @@ public:
     on_first_rank(communicator_, [&] { make_directory(directory_); });
   }
 
-  /// Returns the number of cases that failed.
-  int run_cases()
+  /// What there is, and what is to be done; runs nothing.
+  void list() const
   {
-    if (const auto warning = plates_.warning(); !warning.empty())
-      warn(communicator_, warning);
-    int n_failed       = 0;
-    std::string status = "";
-    for (std::size_t i = 0; i < parameters_.cases.size() && status != "interrupted"; ++i)
+    for (std::size_t i = 0; i < parameters_.cases.size(); ++i)
     {
-      status = run_case(i);
-      n_failed += status.rfind("failed", 0) == 0;
-      std::vector<Json> row{parameters_.cases[i].name};
-      for (const auto &column : chosen_)
-        row.push_back(summaries_[i].is_object() ? summaries_[i].value(column, Json()) : Json());
-      for (auto &extent : plates_.row(i))
-        row.push_back(std::move(extent));
-      row.push_back(status);
-      table_->add(row);
-      on_first_rank(communicator_, [&] { write_file(directory_ / "study.csv", table_->csv()); });
+      const auto &one    = parameters_.cases[i];
+      const auto earlier = earlier_run(communicator_, one.file, directory_ / one.name);
+      if (speaks_)
+        std::printf("%4zu  %s  (%s)  %s\n", i + 1, one.name.c_str(), one.label.c_str(),
+                    !earlier.summary.is_null() ? "finished"
+                    : earlier.why_not.empty()  ? "to run"
+                                               : ("to run again: " + earlier.why_not).c_str());
     }
-    return n_failed;
+    std::fflush(stdout);
+  }
+
+  /// One of them alone, without tables and report.
+  StudyEnd run_one(const std::size_t i)
+  {
+    const std::string status = run_case(i);
+    if (speaks_)
+      std::printf("%s\n", status.c_str());
+    std::fflush(stdout);
+    missing_from_ = parameters_.cases.size();
+    return {status.rfind("failed", 0) == 0, status == "interrupted"};
+  }
+
+  StudyEnd run_cases()
+  {
+    if (const auto warning = table_.warning(); !warning.empty())
+      warn(communicator_, warning);
+    StudyEnd end;
+    std::size_t i = 0;
+    for (; i < parameters_.cases.size() && !end.interrupted; ++i)
+    {
+      const std::string status = run_case(i);
+      end.interrupted          = status == "interrupted";
+      end.n_failed += status.rfind("failed", 0) == 0;
+      table_.add(i, summaries_[i], status);
+      on_first_rank(communicator_,
+                    [&]
+                    {
+                      write_file(directory_ / "study.csv", table_.csv());
+                      write_file(directory_ / "study.json", table_.json());
+                    });
+    }
+    missing_from_ = end.interrupted ? i - 1 : i;
+    return end;
+  }
+
+  /// After an interruption: what has not run to its end.
+  void tell_missing() const
+  {
+    std::string names;
+    for (std::size_t i = missing_from_; i < parameters_.cases.size(); ++i)
+      names += "\n  " + parameters_.cases[i].name;
+    if (speaks_ && !names.empty())
+      std::cerr << "\nThe study was interrupted. Missing:" << names
+                << "\nThe same command with --resume goes on with them." << std::endl;
   }
 
   void report()
   {
     if (speaks_)
       std::printf("\n%s\n\n%s\nThe table stands in %s.\n", parameters_.title.c_str(),
-                  table_->text().c_str(), (directory_ / "study.csv").c_str());
+                  table_.text().c_str(), (directory_ / "study.csv").c_str());
     std::fflush(stdout);
     const bool is_compared = !parameters_.reference.empty();
     if (is_compared)
       on_first_rank(communicator_, [&] { write_comparison(parameters_, summaries_, directory_); });
-    if (!parameters_.pictures)
-      return;
-    if (is_map_)
+    if (parameters_.pictures)
+      draw(is_compared);
+    if (parameters_.report)
+      write_report(communicator_, directory_, /*quiet=*/false);
+  }
+
+private:
+  void draw(const bool is_compared) const
+  {
+    if (table_.is_map())
       draw_stability_map(communicator_, directory_ / "study.csv", directory_ / "map.png",
                          /*quiet=*/false);
     else
@@ -158,19 +155,35 @@ public:
       draw_accuracy_chart(communicator_, directory_, /*quiet=*/false);
   }
 
-private:
+  void tell(const std::size_t i, const std::string &remark) const
+  {
+    if (speaks_)
+      std::printf("[%zu/%zu] %s%s\n", i + 1, parameters_.cases.size(),
+                  parameters_.cases[i].name.c_str(), remark.c_str());
+    std::fflush(stdout);
+  }
+
   /// Fills in its summary and returns its status for the table.
   std::string run_case(const std::size_t i)
   {
     const ParameterFile &file = parameters_.cases[i].file;
     const std::string &name   = parameters_.cases[i].name;
     Json &summary             = summaries_[i];
-    summary                   = finished_summary(communicator_, file, directory_ / name);
-    const bool is_finished    = !summary.is_null();
-    if (speaks_)
-      std::printf("[%zu/%zu] %s%s\n", i + 1, parameters_.cases.size(), name.c_str(),
-                  is_finished ? ": finished before" : "");
-    std::fflush(stdout);
+    const CaseLock lock(communicator_, directory_ / ".locks" / name);
+    if (!lock.is_held())
+    {
+      tell(i, ": another process runs it");
+      return "runs elsewhere";
+    }
+    auto earlier             = earlier_run(communicator_, file, directory_ / name);
+    summary                  = std::move(earlier.summary);
+    const bool is_finished   = !summary.is_null();
+    const std::string remark = is_finished               ? ": finished before"
+                               : earlier.why_not.empty() ? ""
+                                                         : ": run again, " + earlier.why_not;
+    if (options_.collect && !is_finished)
+      return earlier.why_not.empty() ? "missing" : "missing: " + earlier.why_not;
+    tell(i, remark);
     if (is_finished)
       return "finished before";
     try
@@ -192,21 +205,34 @@ private:
   const StudyParameters &parameters_;
   StudyOptions options_;
   std::filesystem::path directory_;
-  StudyPlates plates_;
-  bool speaks_, is_map_ = false;
-  std::vector<std::string> chosen_; // fields of the summaries that the table shows
-  std::unique_ptr<Table> table_;
-  std::vector<Json> summaries_; // of all cases; null if there is none
+  StudyTable table_;
+  bool speaks_;
+  std::size_t missing_from_ = 0; // cases from here on have not run to their end
+  std::vector<Json> summaries_;  // of all cases; null if there is none
 };
 } // namespace
 
-int run_study(const MPI_Comm communicator, const std::string &path, const StudyOptions &options)
+StudyEnd run_study(const MPI_Comm communicator, const std::string &path,
+                   const StudyOptions &options)
 {
   const StudyParameters parameters = read_study(path);
+  const int n_cases                = static_cast<int>(parameters.cases.size());
+  if (options.only < 0 || options.only > n_cases)
+    throw InputError("--case " + std::to_string(options.only) + ": The study '" + path + "' has " +
+                     std::to_string(n_cases) + " cases.\n  'ricochet study --list' numbers them.");
   Study study(communicator, parameters, options);
+  if (options.list)
+  {
+    study.list();
+    return {};
+  }
   study.prepare_folder();
-  const int n_failed = study.run_cases();
+  if (options.only > 0)
+    return study.run_one(options.only - 1);
+  const StudyEnd end = study.run_cases();
   study.report();
-  return n_failed;
+  if (end.interrupted)
+    study.tell_missing();
+  return end;
 }
 } // namespace ricochet

@@ -9,8 +9,17 @@ namespace ricochet
 {
 struct StudyOptions
 {
-  bool resume = false; // go on in an existing results folder: finished cases are not run again
-  bool quiet  = false; // no progress of the single runs
+  bool resume  = false; // go on in an existing results folder: finished cases are not run again
+  bool quiet   = false; // no progress of the single runs
+  bool list    = false; // say what the cases are and which are finished, run nothing
+  bool collect = false; // table, pictures and report of what is finished, run nothing
+  int only     = 0;     // number of the only case to run, from 1; 0: all. Without table and report
+};
+
+struct StudyEnd
+{
+  int n_failed     = 0;
+  bool interrupted = false; // and some cases have not run
 };
 
 /**
@@ -20,8 +29,11 @@ struct StudyOptions
  * one whose summary says so and whose parameters are those of now. With a reference, comparison.csv
  * and comparison_paths.csv follow (comparison.h), and accuracy.png.
  *
- * Collective. Returns the number of failed cases. Throws InputError or FileError for the study
+ * A finished case is run again, and said why, if its summary is of another version, of other
+ * parameters or changed. SIGINT and SIGTERM end the study after the present step.
+ *
+ * Collective. Throws InputError or FileError for the study
  * itself.
  */
-int run_study(MPI_Comm communicator, const std::string &path, const StudyOptions &options);
+StudyEnd run_study(MPI_Comm communicator, const std::string &path, const StudyOptions &options);
 } // namespace ricochet

@@ -13,6 +13,7 @@ namespace ricochet
 {
 namespace
 {
+const char *const report = "report";
 const int missing_module = 3; // exit status of the scripts if matplotlib or h5py are not installed
 
 std::string last_line(std::string text)
@@ -33,14 +34,16 @@ ProgramResult run_python(const std::vector<std::string> &arguments)
   return other.status != -1 ? other : debian;
 }
 
-bool draw(const char *name, const std::vector<std::filesystem::path> &paths, const bool quiet)
+/// `what` is missing if it fails: "pictures".
+bool draw(const char *name, const std::vector<std::filesystem::path> &paths, const bool quiet,
+          const std::string &what)
 {
   const std::filesystem::path script = script_folder(this_program()) / name;
   std::error_code error;
   if (!std::filesystem::is_regular_file(script, error))
   {
     std::cerr
-        << "No pictures: " << script.string()
+        << "No " << what << ": " << script.string()
         << " does not exist. Set the environment variable RICOCHET_SCRIPT_DIR to its folder.\n";
     return false;
   }
@@ -56,22 +59,27 @@ bool draw(const char *name, const std::vector<std::filesystem::path> &paths, con
       std::cout << last_line(result.text) << std::endl;
     return true;
   }
-  if (result.status == missing_module || result.status == -1)
-    std::cerr << "No pictures: they need python3 with matplotlib and h5py (apt install "
+  if (what == report && result.status == -1)
+    std::cerr << "No report: it needs python3 (apt install python3), then " << name << " "
+              << paths[0].string() << "\n";
+  else if (result.status == missing_module || result.status == -1)
+    std::cerr << "No " << what
+              << ": they need python3 with matplotlib and h5py (apt install "
                  "python3-matplotlib python3-h5py), then "
               << name << " " << paths[0].string() << "\n";
   else
-    std::cerr << "No pictures: " << script.string() << " failed: " << last_line(result.text)
+    std::cerr << "No " << what << ": " << script.string() << " failed: " << last_line(result.text)
               << "\n";
   return false;
 }
 
 /// Collective; the same answer on all ranks.
 bool draw_on_first_rank(const MPI_Comm comm, const char *script,
-                        const std::vector<std::filesystem::path> &arguments, const bool quiet)
+                        const std::vector<std::filesystem::path> &arguments, const bool quiet,
+                        const std::string &what = "pictures")
 {
   bool drawn = false;
-  on_first_rank(comm, [&] { drawn = draw(script, arguments, quiet); });
+  on_first_rank(comm, [&] { drawn = draw(script, arguments, quiet, what); });
   return broadcast(comm, drawn, /*root=*/0);
 }
 } // namespace
@@ -91,6 +99,11 @@ bool draw_accuracy_chart(const MPI_Comm comm, const std::filesystem::path &direc
                          const bool quiet)
 {
   return draw_on_first_rank(comm, "plot_accuracy.py", {directory}, quiet);
+}
+
+bool write_report(const MPI_Comm comm, const std::filesystem::path &directory, const bool quiet)
+{
+  return draw_on_first_rank(comm, "make_report.py", {directory}, quiet, report);
 }
 
 bool draw_search_plot(const MPI_Comm comm, const std::filesystem::path &rows,

@@ -35,7 +35,7 @@ bool on_terminal()
 unsigned int terminal_width()
 {
   winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 200;
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
 /// A count with four digits at most and a letter for the power of 1000.
@@ -56,8 +56,8 @@ std::string duration(const double seconds)
   if (s < 60)
     return std::to_string(s) + " s";
   if (s < 3600)
-    return std::to_string(s / 60) + " min " + with_zeros(s % 60, 2) + " s";
-  return std::to_string(s / 3600) + " h " + with_zeros(s / 60 % 60, 2) + " min";
+    return std::to_string(s / 60) + ":" + with_zeros(s % 60, 2);
+  return std::to_string(s / 3600) + ":" + with_zeros(s / 60 % 60, 2) + " h";
 }
 } // namespace
 
@@ -124,13 +124,13 @@ std::string Progress::line(const ProgressState &state) const
   const double done    = std::clamp(state.time / end_time_, 0., 1.);
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
 
+  // Within 80 columns, time left included.
   std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << std::setw(3) << 100. * done << " %  "
-       << std::setprecision(1) << std::setw(7) << state.time * 1e6 << " us  " << std::setw(6)
-       << state.speed << " m/s  pitch " << std::showpos << std::setw(6) << state.pitch
-       << " deg  broken " << std::setw(7) << short_count(state.broken_bonds) << "  residual "
-       << std::setprecision(2) << 100. * state.energy_residual << " %  " << std::setw(6)
-       << short_count(state.bonds_per_second) << " bonds/s";
+  text << std::fixed << std::setprecision(0) << std::setw(3) << 100. * done << " % "
+       << std::setprecision(1) << std::setw(6) << state.time * 1e6 << " us " << std::setw(6)
+       << state.speed << " m/s " << std::showpos << std::setw(5) << state.pitch << " deg  broken "
+       << std::setw(6) << short_count(state.broken_bonds) << "  res. " << std::setprecision(2)
+       << 100. * state.energy_residual << " %";
   if (done > 0. && done < 1. - 1e-9)
     text << "  " << duration(elapsed * (1. - done) / done) << " left";
   return text.str();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/coupling/coupling_method.h"
+#include "ricochet/scene/text_tools.h"
 #include "sections.h"
-#include "text_tools.h"
 
 namespace ricochet
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "entry_patterns.h"
 
-#include "text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 #include <algorithm>
 

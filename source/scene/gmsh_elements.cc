@@ -2,7 +2,7 @@
 #include "gmsh_elements.h"
 
 #include "ricochet/base/exceptions.h"
-#include "text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 #include "ricochet/base/elastic_constants.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/materials/bond_laws.h"
+#include "ricochet/scene/text_tools.h"
 #include "sections.h"
-#include "text_tools.h"
 
 #include <cmath>
 

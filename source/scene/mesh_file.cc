@@ -3,7 +3,7 @@
 
 #include "gmsh_elements.h"
 #include "ricochet/base/exceptions.h"
-#include "text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>

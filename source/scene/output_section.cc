@@ -28,16 +28,26 @@ Section output_section(OutputParameters &output, const std::string &stem)
                   "Whether the frames are written for ParaView");
   in.with_default("Pictures", flag(output.pictures), "true",
                   "Whether pictures are drawn at the end");
+  in.with_default("Report", flag(output.report), "true",
+                  "Whether report.html is written at the end: verdict, pictures, charts, tables, "
+                  "parameters in one file");
   const Entry &times = in.optional(
       "Picture times", quantity_list(output.picture_times, Dimension::time, Limit::not_negative),
       "45 us, 94 us, 142 us",
       "Times of the section's picture, ascending; the summary says where the projectile is then. "
       "By default six from the first to the last frame");
 
+  const Entry &data = in.optional(
+      "Reference data", text(output.reference_data, "a CSV file, relative to this file"),
+      "experiment.csv",
+      "Somebody else's columns of the history over time, to compare the run with: errors in the "
+      "summary, marks in the pictures");
+
   in.check(
-      [&output, &times]
+      [&output, &times, &data]
       {
-        const auto &time = output.picture_times;
+        output.reference_data = path_of_file(data, output.reference_data);
+        const auto &time      = output.picture_times;
         for (std::size_t i = 1; i < time.size(); ++i)
           if (time[i] <= time[i - 1])
             times.fail("Time " + std::to_string(i + 1) + " does not come after time " +

@@ -3,7 +3,7 @@
 
 #include "file_reader.h"
 #include "ricochet/base/exceptions.h"
-#include "text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 namespace ricochet
 {

@@ -2,10 +2,10 @@
 #include "ricochet/scene/parameter_template.h"
 
 #include "parameter_writer.h"
+#include "ricochet/scene/text_tools.h"
 #include "scene_sections.h"
 #include "schema.h"
 #include "study_section.h"
-#include "text_tools.h"
 
 #include <nlohmann/json.hpp>
 

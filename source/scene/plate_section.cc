@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plate_cutouts.h"
 #include "ricochet/base/units.h"
+#include "ricochet/scene/text_tools.h"
 #include "sections.h"
-#include "text_tools.h"
 
 #include <algorithm>
 #include <array>

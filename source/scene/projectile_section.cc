@@ -2,8 +2,8 @@
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
 #include "ricochet/scene/mesh_file.h"
+#include "ricochet/scene/text_tools.h"
 #include "sections.h"
-#include "text_tools.h"
 
 #include <cmath>
 #include <filesystem>
@@ -145,11 +145,7 @@ void ProjectileEntries::read_mesh() const
 {
   if (!mesh->is_given())
     return;
-  std::filesystem::path path = mesh_file;
-  const auto colon           = mesh->origin().rfind(':');
-  if (path.is_relative() && colon != std::string::npos) // and not of an override
-    path = std::filesystem::path(mesh->origin().substr(0, colon)).parent_path() / path;
-  projectile.mesh = ricochet::read_mesh(path, mesh_unit);
+  projectile.mesh = ricochet::read_mesh(path_of_file(*mesh, mesh_file), mesh_unit);
 }
 
 void ProjectileEntries::check_deformable() const

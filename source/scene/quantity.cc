@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/quantity.h"
 
-#include "text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 #include <charconv>
 #include <cmath>
@@ -187,6 +187,25 @@ ParsedQuantity parse_quantity(const std::string &text, const Dimension dimension
       return {value, limit_problem(value, limit)};
     }
   return {none, unit_problem(unit, dimension)};
+}
+
+std::optional<FreeQuantity> parse_free_quantity(const std::string &text)
+{
+  const std::string trimmed = squeezed(text);
+  if (trimmed.empty())
+    return {};
+  const char *const end = trimmed.data() + trimmed.size();
+  double number         = 0.;
+  const auto result = std::from_chars(trimmed.data() + (trimmed[0] == '+' ? 1 : 0), end, number);
+  if (result.ec != std::errc() || !std::isfinite(number))
+    return {};
+  const std::string unit = plain_unit(std::string(result.ptr, end));
+  if (unit.empty())
+    return FreeQuantity{number, "", 1., Dimension::number};
+  for (const Unit &known : units)
+    if (unit == known.name)
+      return FreeQuantity{number, unit, known.in_si, known.dimension};
+  return {};
 }
 
 ParsedQuantities parse_quantities(const std::string &text, const Dimension dimension,

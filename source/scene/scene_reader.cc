@@ -8,6 +8,22 @@
 
 namespace ricochet
 {
+namespace
+{
+/// Calls the action with the sections of a scene or experiment as the file fills them.
+template <class Action>
+void with_sections(const ParameterFile &file, const Action &action)
+{
+  const bool is_experiment = is_stability_file(file);
+  StabilityParameters experiment;
+  Scene scene   = is_experiment ? Scene() : empty_scene(file);
+  auto sections = is_experiment ? stability_sections(stem_of(file), experiment)
+                                : scene_sections(stem_of(file), scene);
+  read_sections(file, sections);
+  action(sections);
+}
+} // namespace
+
 Scene read_scene(const ParameterFile &file)
 {
   Scene scene   = empty_scene(file);
@@ -18,17 +34,21 @@ Scene read_scene(const ParameterFile &file)
 
 void write_used_parameters(const ParameterFile &file, std::ostream &out)
 {
-  if (is_stability_file(file))
-  {
-    StabilityParameters experiment;
-    auto sections = stability_sections(stem_of(file), experiment);
-    read_sections(file, sections);
-    write_parameters(sections, out);
-    return;
-  }
-  Scene scene   = empty_scene(file);
-  auto sections = scene_sections(stem_of(file), scene);
-  read_sections(file, sections);
-  write_parameters(sections, out);
+  with_sections(file,
+                [&](const std::vector<Section> &sections) { write_parameters(sections, out); });
+}
+
+std::string used_value(const ParameterFile &file, const std::string &section,
+                       const std::string &name)
+{
+  std::string value;
+  with_sections(file,
+                [&](const std::vector<Section> &sections)
+                {
+                  for (const auto &one : sections)
+                    if (const Entry *const entry = one.find(name); entry && one.name() == section)
+                      value = entry->text();
+                });
+  return value;
 }
 } // namespace ricochet

@@ -3,8 +3,8 @@
 
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/units.h"
+#include "ricochet/scene/text_tools.h"
 #include "sections.h"
-#include "text_tools.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,9 +2,10 @@
 #include "section.h"
 
 #include "ricochet/base/exceptions.h"
-#include "text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace ricochet
 {
@@ -17,6 +18,17 @@ void Entry::fail(const std::string &what, const std::string &remedy) const
 {
   throw InputError(origin() + ": " + path() + " = " + in_quotes(text()) + ": " + what + "\n  " +
                    remedy);
+}
+
+std::string path_of_file(const Entry &entry, const std::string &name)
+{
+  const std::filesystem::path path = name;
+  const auto colon                 = entry.origin().rfind(':');
+  return !entry.is_given() || path.is_absolute() || colon == std::string::npos
+             ? name
+             : (std::filesystem::path(entry.origin().substr(0, colon)).parent_path() / path)
+                   .lexically_normal()
+                   .string();
 }
 
 bool Condition::holds() const

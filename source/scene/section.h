@@ -61,6 +61,10 @@ private:
   std::vector<std::function<void(const std::string &)>> assign_;
 };
 
+/// Where the file lies that the text of an entry names: names are relative to the parameter file
+/// that gives them, those of the command line to where the program is started.
+std::string path_of_file(const Entry &entry, const std::string &name);
+
 using Entries = std::vector<const Entry *>;
 
 /// That an entry of the section is given and says one of the words; without entry always true.

@@ -2,7 +2,7 @@
 #include "section_checks.h"
 
 #include "ricochet/base/exceptions.h"
-#include "text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 #include <algorithm>
 

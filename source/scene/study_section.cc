@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "study_section.h"
 
+#include "ricochet/scene/text_tools.h"
 #include "scene_sections.h"
-#include "text_tools.h"
+#include "study_axis.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -11,7 +12,9 @@ namespace ricochet
 {
 namespace
 {
-const Words<bool> combinations{{false, "all"}, {true, "one at a time"}};
+const Words<Combination> combinations{{Combination::all, "all"},
+                                      {Combination::one_at_a_time, "one at a time"},
+                                      {Combination::zipped, "zipped"}};
 
 /// The parts of a list; an empty list has none. Empty parts are an error.
 std::vector<std::string> list_of(const Entry &entry)
@@ -22,49 +25,6 @@ std::vector<std::string> list_of(const Entry &entry)
   if (std::find(parts.begin(), parts.end(), "") != parts.end())
     entry.fail("The list has an empty place.", "Remove the comma too many.");
   return parts;
-}
-
-/// Where the value of an override comes from.
-std::string origin_of(const Entry &entry)
-{
-  return entry.origin() + " (" + entry.name + ")";
-}
-
-void check_axis_values(const Entry &entry, const StudyAxis &axis, const std::string &remedy)
-{
-  const auto &values = axis.values;
-  for (auto value = values.begin(); value != values.end(); ++value)
-  {
-    if (value->empty())
-      entry.fail("A value is missing.", remedy);
-    if (std::find(values.begin(), value, *value) != value)
-      entry.fail("The value " + in_quotes(*value) + " stands there twice.", "Remove one of them.");
-    if (const auto n = split(*value, ';').size(); n != 1 && n != axis.entries.size())
-      entry.fail(in_quotes(*value) + " gives " + std::to_string(n) + " values to " +
-                     std::to_string(axis.entries.size()) + " entries.",
-                 "Write one value for all entries, or one for each with ';' between them.");
-  }
-}
-
-StudyAxis read_axis(const Entry &entry)
-{
-  const std::string &text  = entry.text();
-  const auto colon         = text.find(':');
-  const std::string remedy = "Write 'Section/Entry: value | value', for example 'Plate 1/Grid "
-                             "spacing: 1.5 mm | 1.0 mm'.";
-  if (colon == std::string::npos)
-    entry.fail("No ':' separates the entry from its values.", remedy);
-
-  StudyAxis axis;
-  for (const auto &path : split(text.substr(0, colon), ','))
-  {
-    if (path.empty())
-      entry.fail("The name of an entry is missing.", remedy);
-    axis.entries.push_back(parse_override(path + "=", origin_of(entry)));
-  }
-  axis.values = split(text.substr(colon + 1), '|');
-  check_axis_values(entry, axis, remedy);
-  return axis;
 }
 
 /// Entries that all cases share, "Section/Entry: value; Section/Entry: value".
@@ -103,8 +63,8 @@ void read_ensemble(const Entry &entry, std::vector<StudyAxis> &axes,
 }
 
 /// The name of the scene that the others are compared with, or "".
-std::string read_reference(const Entry &reference, const Entry &ensemble, const bool one_at_a_time,
-                           const std::vector<std::string> &scenes)
+std::string read_reference(const Entry &reference, const Entry &ensemble,
+                           const Combination combination, const std::vector<std::string> &scenes)
 {
   const std::string &text = reference.text();
   if (text.empty())
@@ -119,11 +79,23 @@ std::string read_reference(const Entry &reference, const Entry &ensemble, const 
                    "Write it as it stands in 'Scenes': " + joined(scenes, " or ") + ".");
   if (scenes.size() < 2)
     reference.fail("There is nothing to compare with it.", "Add another scene to 'Scenes'.");
-  if (one_at_a_time)
+  if (combination == Combination::one_at_a_time)
     reference.fail("Cases are compared under the same values of all axes, but the axes are varied "
                    "one at a time.",
                    "Remove 'Combine', or the reference.");
   return scene_name(text);
+}
+
+/// All axes must have as many values as the first.
+void check_zipped(const Entries &entries, const std::vector<StudyAxis> &axes)
+{
+  for (std::size_t a = 1; a < axes.size(); ++a)
+    if (axes[a].values.size() != axes[0].values.size())
+      entries[a]->fail("It has " + std::to_string(axes[a].values.size()) + " values, but " +
+                           in_quotes(entries[0]->name) + " has " +
+                           std::to_string(axes[0].values.size()) +
+                           ", and 'Combine = zipped' takes them side by side.",
+                       "Give all axes equally many values.");
 }
 
 /// The entries Axis 1 to Axis most_axes.
@@ -135,7 +107,8 @@ Entries add_axes(Section &in)
         "Axis " + std::to_string(i + 1), unbound_text("Section/Entry: value | value"),
         "Plate 1/Grid spacing: 1.5 mm | 1.0 mm",
         "An entry of the scenes and the values it takes; several entries, with commas between "
-        "them, take the same value or one each: 'value; value | value; value'"));
+        "them, take the same value or one each: 'value; value | value; value'. A range, 'value to "
+        "value step value', stands for its members"));
   return axes;
 }
 
@@ -158,23 +131,6 @@ ComparisonRows add_comparison(Section &in)
 }
 } // namespace
 
-std::string file_name_of(const std::string &text)
-{
-  std::string name;
-  for (const char c : text)
-  {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       c == '.' || c == '-' || c == '+';
-    if (plain)
-      name += c;
-    else if (!name.empty() && name.back() != '_')
-      name += '_';
-  }
-  if (!name.empty() && name.back() == '_')
-    name.pop_back();
-  return name;
-}
-
 std::string scene_name(const std::string &scene)
 {
   return file_name_of(std::filesystem::path(scene).stem().string());
@@ -196,33 +152,47 @@ Section study_section(const std::string &stem, StudyParameters &study, StudySett
   const Entry &columns = in.optional(
       "Columns", unbound_text("names of columns separated by commas"), "outcome, exit_speed_m_s",
       "Columns of the table of results: entries of summary.json");
-  in.with_default("Combine", choice(study.one_at_a_time, combinations), "all",
-                  "Whether the axes' values are combined, or each scene is run as it is and then "
-                  "with one value of one axis at a time");
+  in.with_default(
+      "Combine", choice(study.combination, combinations), "all",
+      "Whether all combinations of the axes' values are run; or each scene as it is and "
+      "then with one value of one axis at a time; or the first values of all axes "
+      "together, then the second ones");
   const Entry &shared = in.optional(
       "Settings", unbound_text("Section/Entry: value; Section/Entry: value"),
       "Output/Pictures: false; Output/ParaView files: false", "Entries that all cases share");
+  const Entry &data =
+      in.optional("Reference data", unbound_text("a CSV file, relative to this file"),
+                  "experiment.csv", "Like 'Output/Reference data' in all cases");
   const auto comparison = add_comparison(in);
   in.with_default("Pictures", flag(study.pictures), "true",
                   "Whether a comparison of the first eight cases is drawn at the end; with a "
                   "reference also a chart of accuracy against cost");
+  in.with_default("Report", flag(study.report), "true",
+                  "Whether report.html is written at the end: all cases, charts, tables, pictures");
   const auto axes = add_axes(in);
 
   in.check(
-      [&study, &settings, &columns, &shared, comparison, axes]
+      [&study, &settings, &columns, &shared, &data, comparison, axes]
       {
-        study.columns = list_of(columns);
+        study.columns        = list_of(columns);
+        study.columns_origin = columns.origin();
         std::vector<std::string> names;
+        Entries given;
         for (const Entry *const axis : axes)
           if (axis->is_given())
           {
             study.axes.push_back(read_axis(*axis));
             names.push_back(axis->name);
+            given.push_back(axis);
           }
         settings.scenes    = list_of(*settings.scenes_row);
         settings.overrides = read_settings(shared);
-        study.reference    = read_reference(*comparison.reference, *comparison.ensemble,
-                                            study.one_at_a_time, settings.scenes);
+        if (data.is_given())
+          settings.overrides.push_back({"Output", "Reference data", data.text(), origin_of(data)});
+        study.reference = read_reference(*comparison.reference, *comparison.ensemble,
+                                         study.combination, settings.scenes);
+        if (study.combination == Combination::zipped)
+          check_zipped(given, study.axes);
         read_ensemble(*comparison.ensemble, study.axes, names);
       });
   return in;

@@ -28,7 +28,4 @@ Section study_section(const std::string &stem, StudyParameters &study, StudySett
 
 /// "base" of "scenes/base.prm", with all but letters, digits, points and signs as one underscore.
 std::string scene_name(const std::string &scene);
-
-/// Letters, digits, points and signs as they are, everything else as one underscore.
-std::string file_name_of(const std::string &text);
 } // namespace ricochet

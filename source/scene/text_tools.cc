@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -106,6 +106,23 @@ std::string guess(const std::string &word, const std::vector<std::string> &candi
 {
   const std::string meant = nearest(word, candidates);
   return meant.empty() ? "." : "; did you mean '" + meant + "'?";
+}
+
+std::string file_name_of(const std::string &text)
+{
+  std::string name;
+  for (const char c : text)
+  {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '.' || c == '-' || c == '+';
+    if (plain)
+      name += c;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  }
+  if (!name.empty() && name.back() == '_')
+    name.pop_back();
+  return name;
 }
 
 std::string number_text(const double value)

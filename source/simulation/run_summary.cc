@@ -193,6 +193,9 @@ const std::vector<SummaryRow<RunEnd>> rows{
     {"bond_rate_per_core", "1/s", [](E e) -> Json { return e.notes.bond_rate / e.notes.n_ranks; },
      "directed bonds evaluated per second of wall time and rank, a measure of the work done: of a "
      "symmetric scene those of the half that is computed"},
+    {"command", "", [](E e) -> Json { return e.notes.command; },
+     "that made it, without what started it on several processes"},
+    {"warnings", "", [](E e) -> Json { return e.notes.warnings; }, "a list, in words"},
     {"interrupted", "", [](E e) -> Json { return e.notes.interrupted; },
      "whether the user ended the run"},
     {"failed", "", [](E e) -> Json { return e.notes.failed; },
@@ -255,6 +258,9 @@ std::vector<SummaryField> summary_fields()
   append(fields, "positions", position_rows);
   append(fields, "projectiles", projectile_rows);
   append(fields, "projectiles[].positions", position_rows);
+  fields.push_back({"reference_data", "columns", "",
+                    "of Output/Reference data: name, unit, rmse, and points: time_us, kind, "
+                    "wanted, error_bar, found, relative_error; null where it was not reached"});
   return fields;
 }
 
@@ -275,6 +281,8 @@ Json run_summary(const RunEnd &end, const std::vector<PlateDamage> &damage)
     summary["positions"] = end.notes.positions;
   if (!end.further.empty())
     summary["projectiles"] = projectiles_of(end);
+  if (!end.notes.reference_data.is_null())
+    summary["reference_data"] = end.notes.reference_data;
   return summary;
 }
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace ricochet
 {
 namespace
@@ -20,6 +22,13 @@ TEST(StabilityRun, DescriptionHasTheNumbersOfItsSummary)
             "step is 0.800 of the largest stable one.");
   summary["reason"] = "";
   EXPECT_EQ(describe_stability(summary).rfind("inaccurate. Kinetic", 0), 0u);
+}
+
+TEST(StabilityRun, ColumnsOfATableAreFieldsOfTheSummary)
+{
+  const auto fields = stability_fields();
+  for (const auto &column : stability_columns)
+    EXPECT_NE(std::find(fields.begin(), fields.end(), column), fields.end()) << column;
 }
 } // namespace
 } // namespace ricochet

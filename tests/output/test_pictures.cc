@@ -36,7 +36,8 @@ const std::vector<History::Column> needed_columns{{"time", "us"},
 
 /// A small run: a plate of 40 x 8 points, a triangle that slides over it. All columns of the
 /// history grow evenly.
-void write_run(const fs::path &folder, const std::vector<History::Column> &columns = needed_columns)
+void write_run(const fs::path &folder, const std::vector<History::Column> &columns = needed_columns,
+               const std::string &title = "Test")
 {
   FieldWriter fields(MPI_COMM_WORLD, folder, /*vtu=*/false);
   History history(MPI_COMM_WORLD, folder, columns);
@@ -65,7 +66,8 @@ void write_run(const fs::path &folder, const std::vector<History::Column> &colum
                     {{1, 40, 8, 1e-3, {0., 0.}, true, broken, sound, sound}});
   write_summary(MPI_COMM_WORLD, folder,
                 {{"outcome", "ricochet"},
-                 {"title", "Test"},
+                 {"title", title},
+                 {"max_depth_mm", nullptr}, // of a perforation
                  {"exit_speed_m_s", 470.},
                  {"exit_angle_deg", 12.},
                  {"plate_1_broken_share", 0.1},
@@ -144,6 +146,55 @@ TEST(Pictures, OfAStudyCompareItsCases)
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_TRUE(draw_study_picture(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
   EXPECT_TRUE(is_png(scratch.path() / "comparison.png"));
+}
+
+TEST(Pictures, TakeAnyTitleAsItIs)
+{
+  if (!python_has_modules())
+    GTEST_SKIP() << "python3 has no matplotlib or h5py";
+  const ScratchDirectory scratch;
+  const std::string title = "cost $5, \\frac{a$";
+  if (rank() == 0)
+    fs::create_directory(scratch.path() / "one");
+  MPI_Barrier(MPI_COMM_WORLD);
+  write_run(scratch.path() / "one", needed_columns, title);
+  if (rank() == 0)
+  {
+    std::ofstream(scratch.path() / "study.csv") << "case,status\none,ok\n";
+    std::ofstream(scratch.path() / "study.json")
+        << nlohmann::json{{"title", title},
+                          {"cases",
+                           {{{"name", "one"},
+                             {"label", title},
+                             {"axes", nlohmann::json::array()},
+                             {"status", "ok"}}}}};
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_TRUE(draw_pictures(MPI_COMM_WORLD, scratch.path() / "one", /*quiet=*/true));
+  EXPECT_TRUE(draw_study_picture(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+}
+
+TEST(Pictures, OfManyCasesHavePages)
+{
+  if (!python_has_modules())
+    GTEST_SKIP() << "python3 has no matplotlib or h5py";
+  const ScratchDirectory scratch;
+  std::string table = "case,status\n";
+  for (int i = 0; i < 9; ++i)
+  {
+    const auto name = "case_" + std::to_string(i);
+    if (rank() == 0)
+      fs::create_directory(scratch.path() / name);
+    MPI_Barrier(MPI_COMM_WORLD);
+    write_run(scratch.path() / name);
+    table += name + ",ok\n";
+  }
+  if (rank() == 0)
+    std::ofstream(scratch.path() / "study.csv") << table;
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_TRUE(draw_study_picture(MPI_COMM_WORLD, scratch.path(), /*quiet=*/true));
+  EXPECT_TRUE(is_png(scratch.path() / "comparison_2.png"));
+  EXPECT_FALSE(fs::exists(scratch.path() / "comparison_3.png"));
 }
 
 TEST(Pictures, OfAStudyWithoutResultsSayWhy)

@@ -21,7 +21,9 @@ TEST(Summary, IsOfRankZeroInItsOrderAndReplacesAnOlderOne)
   write_summary(MPI_COMM_WORLD, scratch.path(), {{"z", rank()}, {"a", 0.1}});
   if (rank() == 0)
   {
-    EXPECT_EQ(read_text(scratch.path() / "summary.json"), "{\n  \"z\": 0,\n  \"a\": 0.1\n}\n");
+    const std::string text = read_text(scratch.path() / "summary.json");
+    EXPECT_TRUE(contains(text, "{\n  \"z\": 0,\n  \"a\": 0.1,\n  \"checksum\": \"")) << text;
+    EXPECT_FALSE(contains(text, "old"));
   }
 }
 
@@ -35,6 +37,20 @@ TEST(Summary, StaysReadableWhateverARunPutsIntoIt)
   const auto read = Json::parse(read_text(scratch.path() / "summary.json"));
   EXPECT_TRUE(read["speed"].is_null());
   EXPECT_EQ(read["title"], "Sch\uFFFDsse");
+  EXPECT_TRUE(is_untouched(read));
+}
+
+TEST(Summary, ThatHasBeenChangedIsFound)
+{
+  const ScratchDirectory scratch;
+  write_summary(MPI_COMM_WORLD, scratch.path(), {{"speed", 0.1}, {"title", "Test"}});
+  if (rank() != 0)
+    return;
+  auto read = Json::parse(read_text(scratch.path() / "summary.json"));
+  EXPECT_TRUE(is_untouched(read));
+  read["speed"] = 0.2;
+  EXPECT_FALSE(is_untouched(read));
+  EXPECT_FALSE(is_untouched(Json::object()));
 }
 } // namespace
 } // namespace ricochet

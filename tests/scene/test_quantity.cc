@@ -137,6 +137,19 @@ TEST(QuantityPattern, ListTakesAnyNumberOfValues)
             "one or more values separated by commas, each a time above 0 in ns, us, ms or s");
 }
 
+TEST(Quantity, MayBeReadWithoutKnowingItsDimension)
+{
+  const auto speed = parse_free_quantity(" 0.5 km/s");
+  ASSERT_TRUE(speed);
+  EXPECT_EQ(speed->number, 0.5);
+  EXPECT_EQ(speed->unit, "km/s");
+  EXPECT_EQ(speed->in_si, 1e3);
+  EXPECT_EQ(speed->dimension, Dimension::speed);
+  EXPECT_EQ(parse_free_quantity("3")->dimension, Dimension::number);
+  for (const char *text : {"", "fast", "3 furlongs", "1 mm, 2 mm", "1e999 m"})
+    EXPECT_FALSE(parse_free_quantity(text)) << text;
+}
+
 TEST(QuantityPattern, DescribesWhatItMatches)
 {
   const QuantityPattern pattern(Dimension::length, Limit::positive);

@@ -4,7 +4,7 @@
 
 #include "scene/parameter_writer.h"
 #include "scene/section_checks.h"
-#include "scene/text_tools.h"
+#include "ricochet/scene/text_tools.h"
 #include "support/scene_text.h"
 
 #include <sstream>

@@ -78,7 +78,7 @@ TEST_F(StudyFile, AxesMayBeVariedOneAtATime)
                           "set Combine = one at a time\n"
                           "set Axis 1 = Impact/Speed: 700 m/s | 800 m/s\n"
                           "set Axis 2 = Contact/Static friction: 0.3\n");
-  EXPECT_TRUE(read.one_at_a_time);
+  EXPECT_EQ(read.combination, Combination::one_at_a_time);
   EXPECT_EQ(case_names(read),
             (Names{"one", "one__speed_700_m_s", "one__speed_800_m_s", "one__static_friction_0.3",
                    "two", "two__speed_700_m_s", "two__speed_800_m_s", "two__static_friction_0.3"}));
@@ -88,6 +88,103 @@ TEST_F(StudyFile, AxesMayBeVariedOneAtATime)
       std::get<ExponentialFriction::Parameters>(scene.contact.friction).static_coefficient, 0.3);
   expect_study_error("set Scenes = scenes/one.prm\nset Combine = one\n",
                      {"study.prm:3", "one at a time"});
+}
+
+/// The numbers of one column, and NaN for words.
+std::vector<double> numbers_of(const StudyParameters &study, const std::size_t column)
+{
+  std::vector<double> numbers;
+  for (const auto &one : study.cases)
+    numbers.push_back(one.axis_values.at(column).number.value_or(std::nan("")));
+  return numbers;
+}
+
+TEST_F(StudyFile, AxesHaveColumnsWithTheUnitOfTheirFirstValue)
+{
+  const auto read = study("set Scenes = scenes/one.prm\n"
+                          "set Axis 1 = Impact/Speed: 0.5 km/s | 800 m/s\n"
+                          "set Axis 2 = Contact/Static friction, Contact/Kinetic friction: 0.1\n"
+                          "set Axis 3 = Projectile/Nose shape: ogive\n");
+  ASSERT_EQ(read.axis_columns.size(), 3u);
+  EXPECT_EQ(read.axis_columns[0].name, "speed_km_s");
+  EXPECT_EQ(read.axis_columns[0].label, "speed");
+  EXPECT_EQ(read.axis_columns[0].unit, "km/s");
+  EXPECT_EQ(read.axis_columns[1].name, "static_friction");
+  EXPECT_TRUE(read.axis_columns[1].is_number);
+  EXPECT_EQ(read.axis_columns[2].name, "nose_shape");
+  EXPECT_FALSE(read.axis_columns[2].is_number);
+  EXPECT_EQ(numbers_of(read, 0), (std::vector<double>{0.5, 0.8}));
+  EXPECT_EQ(read.cases[1].axis_values[2].text, "ogive");
+  EXPECT_EQ(read.cases[1].label, "800 m/s, static friction 0.1, nose shape ogive");
+}
+
+TEST_F(StudyFile, EntriesWithValuesOfTheirOwnHaveColumnsOfTheirOwn)
+{
+  const auto read = study("set Scenes = scenes/one.prm, scenes/two.prm\n"
+                          "set Axis 1 = Impact/Speed, Impact/Incidence angle: "
+                          "700 m/s; 45 deg | 800 m/s; 30 deg\n");
+  ASSERT_EQ(read.axis_columns.size(), 2u);
+  EXPECT_EQ(read.axis_columns[1].name, "incidence_angle_deg");
+  EXPECT_EQ(numbers_of(read, 1), (std::vector<double>{45., 30., 45., 30.}));
+  EXPECT_EQ(read.cases[2].label, "two, 700 m/s, 45 deg");
+}
+
+TEST_F(StudyFile, WhatAnAxisLeavesAloneHasTheScenesOwnValue)
+{
+  const auto read = study("set Scenes = scenes/one.prm\nset Combine = one at a time\n"
+                          "set Axis 1 = Impact/Speed: 700 m/s\n"
+                          "set Axis 2 = Time/Safety factor: 0.5\n");
+  EXPECT_EQ(numbers_of(read, 0), (std::vector<double>{720., 700., 720.})); // 0.72 mm/us
+  EXPECT_EQ(numbers_of(read, 1), (std::vector<double>{0.7, 0.7, 0.5}));    // the default
+  EXPECT_EQ(read.cases[0].label, "one");
+}
+
+TEST_F(StudyFile, RangesStandForTheirMembers)
+{
+  const std::string scenes = "set Scenes = scenes/one.prm\n";
+  const auto read =
+      study(scenes + "set Axis 1 = Impact/Speed: 300 m/s | 500 m/s to 0.6 km/s step 50 m/s\n"
+                     "set Axis 2 = Time/Safety factor: 0.6 to 0.72 step 0.04\n");
+  EXPECT_EQ(read.axes[0].values, (Names{"300 m/s", "500 m/s", "550 m/s", "600 m/s"}));
+  EXPECT_EQ(read.axes[1].values, (Names{"0.6", "0.64", "0.68", "0.72"}));
+  EXPECT_EQ(study(scenes + "set Axis 1 = Impact/Incidence angle: 30 deg to 10 deg step -10 deg\n")
+                .axes[0]
+                .values,
+            (Names{"30 deg", "20 deg", "10 deg"}));
+  const auto range = [&](const std::string &text)
+  { return scenes + "set Axis 1 = Impact/Speed: " + text + "\n"; };
+  expect_study_error(range("500 m/s to 610 m/s step 50 m/s"),
+                     {"study.prm:3", "does not meet its last value", "End at 600 m/s"});
+  expect_study_error(range("500 m/s to 600 m/s step 0 m/s"), {"study.prm:3", "at least one"});
+  expect_study_error(range("500 m/s to 600 m/s step -50 m/s"), {"study.prm:3", "at least one"});
+  expect_study_error(range("1 m/s to 5000 m/s step 1 m/s"), {"less than 1000 steps"});
+  expect_study_error(range("500 m/s to 600 mm step 50 m/s"), {"study.prm:3", "mixes units"});
+  expect_study_error(range("500 m/s to fast step 50 m/s"), {"'fast'", "no number"});
+  expect_study_error(range("500 m/s to 600 m/s"),
+                     {"neither a value nor a complete range", "500 m/s to 900 m/s step 50 m/s"});
+}
+
+TEST_F(StudyFile, ZippedAxesGoSideBySide)
+{
+  const std::string axes = "set Scenes = scenes/one.prm\nset Combine = zipped\n"
+                           "set Axis 1 = Impact/Speed: 700 m/s | 800 m/s\n";
+  EXPECT_EQ(case_names(study(axes + "set Axis 2 = Impact/Incidence angle: 45 deg | 30 deg\n")),
+            (Names{"one__speed_700_m_s__incidence_angle_45_deg",
+                   "one__speed_800_m_s__incidence_angle_30_deg"}));
+  expect_study_error(axes + "set Axis 2 = Impact/Incidence angle: 45 deg\n",
+                     {"study.prm:5", "has 1 values, but 'Axis 1' has 2", "equally many"});
+}
+
+TEST_F(StudyFile, UnknownColumnsAreExplained)
+{
+  const auto read = study("set Scenes = scenes/one.prm\nset Columns = outcome, exit_sped_m_s\n");
+  check_columns(read, {"outcome", "exit_sped_m_s"});
+  expect_error(
+      [&] {
+        check_columns(read, {"outcome", "exit_speed_m_s"});
+      },
+      {"study.prm:3", "Study/Columns = 'exit_sped_m_s'", "did you mean 'exit_speed_m_s'?",
+       "'ricochet columns'"});
 }
 
 TEST_F(StudyFile, PicturesAreDrawnUnlessToldOtherwise)

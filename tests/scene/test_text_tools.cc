@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "scene/text_tools.h"
+#include "ricochet/scene/text_tools.h"
 
 #include <gtest/gtest.h>
 

@@ -39,6 +39,8 @@ TEST(RunSummary, HasWhatTheListOfFieldsSays)
   RunNotes notes;
   notes.start_momenta = simulation.momenta();
   notes.positions.push_back(sighting(simulation, watch, 2e-6));
+  notes.reference_data = {{"file", "exp.csv"}};
+  notes.warnings       = {"careful"};
   const OutcomeVerdict verdict{Outcome::perforate, ExitFace::rear, 2, "a reason"};
   const Json summary = run_summary({simulation, watch, verdict, totals, notes},
                                    {{0.1, 1e-6, 2e-6}, {0.2, 3e-6, 4e-6, 0.75}});

@@ -46,6 +46,7 @@ subsection Time
 end
 subsection Output
   set Frame interval = 0 us
+  set Report         = false
   set ParaView files = false
   set Pictures       = false
   set Picture times  = 0 us, 12.3 us, 20 us, 40 us

@@ -23,6 +23,10 @@ bool draw_study_picture(MPI_Comm comm, const std::filesystem::path &directory, b
 /// cost, from comparison.csv and comparison_paths.csv. Collective.
 bool draw_accuracy_chart(MPI_Comm comm, const std::filesystem::path &directory, bool quiet);
 
+/// Writes DIRECTORY/report.html of a run or study with make_report.py, which needs python3 alone
+/// and says in its line if what draws interactive charts is not installed. Collective.
+bool write_report(MPI_Comm comm, const std::filesystem::path &directory, bool quiet);
+
 /// The same with plot_search.py: draws the PNG `picture` from the rows of `ricochet bench search
 /// --json`, one JSON object per line. Collective.
 bool draw_search_plot(MPI_Comm comm, const std::filesystem::path &rows,

@@ -5,6 +5,7 @@
 
 #include "ricochet/base/dimension.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,4 +43,15 @@ struct ParsedQuantities
 /// The same for n_values quantities (0: one or more) separated by commas.
 ParsedQuantities parse_quantities(const std::string &text, Dimension dimension, Limit limit,
                                   unsigned int n_values);
+
+/// A number with whatever unit follows it.
+struct FreeQuantity
+{
+  double number;       // as written
+  std::string unit;    // as units_of() spells it; "" for a plain number
+  double in_si;        // of one unit
+  Dimension dimension; // of the unit
+};
+/// Nothing if the text is no such number, or the unit is unknown.
+std::optional<FreeQuantity> parse_free_quantity(const std::string &text);
 } // namespace ricochet

@@ -164,11 +164,13 @@ struct TimeParameters
 /// Of the section 'Output'.
 struct OutputParameters
 {
-  std::string directory;   // results folder
-  double frame_interval;   // between point and surface files [s]; 0: none
-  double history_interval; // between history rows [s]
-  bool vtu;                // write files for ParaView
-  bool pictures;           // draw PNGs at the end
+  std::string directory;                    // results folder
+  double frame_interval;                    // between point and surface files [s]; 0: none
+  double history_interval;                  // between history rows [s]
+  bool vtu;                                 // write files for ParaView
+  bool pictures;                            // draw PNGs at the end
+  bool report                       = true; // write report.html at the end
+  std::string reference_data        = {};   // file with somebody else's data, or ""
   /// Of the section's picture, ascending [s]; none: evenly spaced.
   std::vector<double> picture_times = {};
   // Between checkpoints [s]; 0: none.

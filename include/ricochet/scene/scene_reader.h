@@ -6,6 +6,7 @@
 #include "ricochet/scene/scene.h"
 
 #include <iosfwd>
+#include <string>
 
 namespace ricochet
 {
@@ -16,6 +17,11 @@ namespace ricochet
  * wrong form or contradictory; the checks stand with the entries, in the sections' files.
  */
 Scene read_scene(const ParameterFile &file);
+
+/// The text of one entry of a scene (or experiment) that read_scene accepts, or its default; "" if
+/// there is none.
+std::string used_value(const ParameterFile &file, const std::string &section,
+                       const std::string &name);
 
 /**
  * Writes all parameters of a scene (or experiment) that read_scene accepts, defaults included and

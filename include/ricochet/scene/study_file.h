@@ -15,6 +15,7 @@
 #include "ricochet/scene/parameter_file.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,30 @@ struct StudyAxis
   bool is_ensemble = false; // whether it only repeats a run
 };
 
+/// A column of the study's table that says what is varied.
+struct StudyColumn
+{
+  std::string name;  // "grid_spacing_mm"
+  std::string label; // "grid spacing", to be read
+  std::string unit;  // "mm", "" for plain numbers and words
+  bool is_number;    // otherwise its values are words
+};
+
+/// What stands in such a column.
+struct AxisValue
+{
+  std::string text;             // as in the parameter file
+  std::optional<double> number; // in the unit of the column
+};
+
+/// How cases are made of the axes' values.
+enum class Combination
+{
+  all,           // every value of one axis with every value of the others
+  one_at_a_time, // the axes are varied one after the other
+  zipped         // the first values of all axes, then the second ones
+};
+
 /// One run.
 struct StudyCase
 {
@@ -37,18 +62,24 @@ struct StudyCase
   std::vector<std::size_t> values; // of every axis in turn, the number of its value
   ParameterFile file; // the scene with the axes' values and the case's own output folder
   bool is_experiment; // of stability, for read_stability instead of read_scene
+  std::string label;  // to be read: "angle 10, 1.5 mm"
+  std::vector<AxisValue> axis_values; // one for each of the study's axis_columns
 };
 
 /// All runs.
 struct StudyParameters
 {
-  std::string title;                // of the results
-  std::string output_directory;     // of the study; cases have folders in it
-  std::vector<std::string> columns; // empty: the driver's choice
-  std::vector<std::string> scenes;  // paths of the parameter files
-  std::vector<StudyAxis> axes;      // at most 20
-  bool one_at_a_time;    // the axes are varied one after the other instead of in all combinations
+  std::string title;                     // of the results
+  std::string output_directory;          // of the study; cases have folders in it
+  std::string path;                      // of the study's file, as given
+  std::vector<std::string> columns;      // empty: the driver's choice
+  std::string columns_origin;            // of that entry: "study.prm:4"
+  std::vector<std::string> scenes;       // paths of the parameter files
+  std::vector<StudyAxis> axes;           // at most 20
+  std::vector<StudyColumn> axis_columns; // one per axis, or per entry with values of its own
+  Combination combination;
   bool pictures;         // draw a comparison at the end
+  bool report;           // write report.html at the end
   std::string reference; // the scene that the others are compared with, as in StudyCase; or ""
   /// Scene by scene, the last axis changes fastest; one at a time: the scene itself, then axis by
   /// axis. With a reference the scenes change fastest: what is compared runs one after the other,
@@ -62,6 +93,9 @@ std::string group_name(const StudyParameters &study, const StudyCase &one);
 
 /// The same to be read: "1.5 mm, 198 mm"; plain numbers carry the name of their entry.
 std::string group_title(const StudyParameters &study, const StudyCase &one);
+
+/// Throws InputError, with a guess, if a column that the study asks for is none of these.
+void check_columns(const StudyParameters &study, const std::vector<std::string> &known);
 
 /// Whether the file describes a study, and not a scene.
 bool is_study_file(const ParameterFile &file);

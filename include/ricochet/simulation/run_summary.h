@@ -17,12 +17,14 @@ namespace ricochet
 /// What a run notes on its way, for its end.
 struct RunNotes
 {
-  std::string directory;    // of the results
-  std::string version;      // of the program
-  int n_ranks         = 1;  // MPI processes
-  double n_points     = 0.; // at time 0, see Simulation::n_points()
-  double n_bonds      = 0.; // of the sound plates at time 0
-  double core_seconds = 0.; // processor time of all ranks [s]
+  std::string directory;             // of the results
+  std::string version;               // of the program
+  std::string command;               // that started it
+  std::vector<std::string> warnings; // that the user has been given
+  int n_ranks         = 1;           // MPI processes
+  double n_points     = 0.;          // at time 0, see Simulation::n_points()
+  double n_bonds      = 0.;          // of the sound plates at time 0
+  double core_seconds = 0.;          // processor time of all ranks [s]
   double bond_rate    = 0.; // directed bonds evaluated per second of wall time, all ranks [1/s]
   double deepest      = 0.; // penetration of a point into the projectile so far [dx]
   double on_elements_since = -1.;  // when the projectile first touched some; negative: never [s]
@@ -34,6 +36,7 @@ struct RunNotes
   /// From sighting(), at the times that the scene states.
   nlohmann::ordered_json positions                      = nlohmann::ordered_json::array();
   std::vector<nlohmann::ordered_json> further_positions = {}; // likewise, of projectile 2 and so on
+  nlohmann::ordered_json reference_data; // comparison with somebody else's data; null: none
 };
 
 /// One of several projectiles at the end of the run.

@@ -7,7 +7,8 @@ namespace ricochet
 {
 namespace
 {
-constexpr int some_failed = 4; // as for a run that breaks down
+constexpr int some_failed   = 4;   // as for a run that breaks down
+constexpr int ended_by_user = 130; // as a shell reports a program that Ctrl-C has ended
 
 struct Options
 {
@@ -23,9 +24,20 @@ Command declare_study(CLI::App &app)
       app.add_subcommand("study", "run scenes over one or more axes and print one table");
   command->add_option("file", options->file, "study file (.prm with a section Study)")->required();
   command->add_flag("--resume", options->study.resume, "go on: skip the cases that are finished");
+  auto *list = command->add_flag("--list", options->study.list,
+                                 "number the cases and say which are finished; runs nothing");
+  auto *only = command->add_option("--case", options->study.only,
+                                   "run only the case of this number, for job arrays");
+  command
+      ->add_flag("--collect", options->study.collect,
+                 "table, pictures and report of what is finished; runs nothing")
+      ->excludes(list)
+      ->excludes(only);
   command->add_flag("--quiet", options->study.quiet, "no progress of the single runs");
-  return {command, [options](const MPI_Comm communicator) {
-            return run_study(communicator, options->file, options->study) == 0 ? 0 : some_failed;
+  return {command, [options](const MPI_Comm communicator)
+          {
+            const auto end = run_study(communicator, options->file, options->study);
+            return end.interrupted ? ended_by_user : end.n_failed > 0 ? some_failed : 0;
           }};
 }
 } // namespace ricochet

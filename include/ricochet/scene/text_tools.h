@@ -33,6 +33,9 @@ std::string in_quotes(const std::string &text);
 /// "; did you mean 'x'?" for a near candidate, else ".".
 std::string guess(const std::string &word, const std::vector<std::string> &candidates);
 
+/// Letters, digits, points and signs as they are, everything else as one underscore.
+std::string file_name_of(const std::string &text);
+
 /// Six significant digits, without trailing zeros.
 std::string number_text(double value);
 } // namespace ricochet
