@@ -21,9 +21,9 @@ const char *const marker = ".ricochet";
 /// its name here.
 bool is_result(const fs::path &folder, const std::string &name)
 {
-  static const std::regex top(
-      "((history|section|damage)\\.(h5|png)|reference\\.png|report\\.html|history\\.csv|summary\\.json|results\\.pvd|used\\.prm)"
-      "(\\.tmp)?");
+  static const std::regex top("((history|section|damage)\\.(h5|png)|reference\\.png|report\\.html|"
+                              "history\\.csv|summary\\.json|results\\.pvd|used\\.prm)"
+                              "(\\.tmp)?");
   static const std::regex vtu(
       "((points|elements)_[0-9]{4,}\\.(pvtu|[0-9]{3,}\\.vtu)|projectile_[0-9]{4,}\\.vtu)(\\.tmp)?");
   static const std::regex section("frame_[0-9]{4,}\\.h5(\\.tmp)?");
