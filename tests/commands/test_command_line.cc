@@ -26,8 +26,9 @@ TEST(CommandLine, NamesOneCommand)
 {
   for (const char *line :
        {"run a.prm --quiet", "check a.prm --coupling", "mesh a.prm --write a.msh",
-        "study a.prm --resume", "template", "columns --json", "bench kernel --edge 20",
-        "bench elements --element full", "bench history --decades 2", "bench search --repeats 1"})
+        "study a.prm --resume", "run --resume folder", "template", "columns --json",
+        "bench kernel --edge 20", "bench elements --element full", "bench history --decades 2",
+        "bench search --repeats 1"})
   {
     const Parsed parsed(line);
     const std::string name = chosen(parsed.commands).app->get_name();
@@ -37,7 +38,7 @@ TEST(CommandLine, NamesOneCommand)
 
 TEST(CommandLine, RefusesWhatNoCommandKnows)
 {
-  for (const char *line : {"", "fly", "run", "run a.prm --fast", "bench", "bench sun",
+  for (const char *line : {"", "fly", "run a.prm --fast", "bench", "bench sun",
                            "bench search --processes 0", "bench search --processes many"})
     EXPECT_THROW(Parsed parsed(line), CLI::ParseError) << line;
 }
@@ -68,6 +69,28 @@ TEST(CommandLine, TextsAreWrittenWithoutACommunicator)
     const Parsed parsed(line);
     EXPECT_TRUE(chosen(parsed.commands).execute && !chosen(parsed.commands).write) << line;
   }
+}
+
+TEST(CommandLine, RunWantsAFileOrAFolderToGoOnIn)
+{
+  const auto problem = [](const char *line)
+  {
+    const Parsed parsed(line);
+    try
+    {
+      chosen(parsed.commands).execute(MPI_COMM_SELF);
+    }
+    catch (const InputError &error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_TRUE(contains(problem("run"), "what is to be run?"));
+  for (const char *line : {"run a.prm --resume folder", "run --resume folder --output other",
+                           "run --resume folder --force"})
+    EXPECT_TRUE(contains(problem(line), "Leave out the parameter file, --output and --force"))
+        << line;
 }
 
 TEST(CommandLine, MissingFileIsAFileError)

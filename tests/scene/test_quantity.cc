@@ -134,7 +134,8 @@ TEST(QuantityPattern, ListTakesAnyNumberOfValues)
   EXPECT_EQ(pattern.problem("1 s, 2"), "Value 2: The unit is missing.");
   EXPECT_EQ(pattern.problem("1 s, "), "Value 2: There is no value.");
   EXPECT_EQ(pattern.expected(),
-            "one or more values separated by commas, each a time above 0 in ns, us, ms or s");
+            "one or more values separated by commas, each a time above 0 in ns, us, ms, s, min "
+            "or h");
 }
 
 TEST(Quantity, MayBeReadWithoutKnowingItsDimension)

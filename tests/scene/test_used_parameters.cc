@@ -64,7 +64,8 @@ TEST(UsedParameters, KeepUnitsAndMarkDefaults)
   const std::string text = used.str();
   EXPECT_NE(text.find("set Speed           = 0.72 mm/us\n"), std::string::npos) << text;
   EXPECT_NE(text.find("set Attack angle    = 0 deg # default\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("set Directory        = output/scene # default\n"), std::string::npos)
+  EXPECT_NE(text.find("set Directory                      = output/scene # default\n"),
+            std::string::npos)
       << text;
   EXPECT_EQ(text.find("Caliber radius head"), std::string::npos) << text;
 }
