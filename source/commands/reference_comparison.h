@@ -30,7 +30,7 @@ std::string describe_reference_data(const nlohmann::ordered_json &summary);
 /// "reference_error_path_94_us_percent".
 std::vector<std::string> reference_columns(const ReferenceData &data);
 
-/// The value of such a column in a summary, or null.
+/// The value of the `wanted` such column in a summary, or null.
 nlohmann::ordered_json reference_value(const nlohmann::ordered_json &summary,
-                                       const std::string &column);
+                                       const std::string &wanted);
 } // namespace ricochet

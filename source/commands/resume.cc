@@ -50,8 +50,8 @@ ParameterFile resumed_parameters(const std::string &text, const std::filesystem:
   const std::string path = (directory / "used.prm").string();
   auto all               = overrides;
   all.push_back({"Output", "Directory", directory.string(), "command line (--resume)"});
-  const auto before = ParameterFile::from_text(text, path),
-             after  = ParameterFile::from_text(text, path, all);
+  const auto before = ParameterFile::from_text(text, path);
+  auto after        = ParameterFile::from_text(text, path, all);
   // Compared as they are used: with defaults, whoever has written them out.
   std::string refused;
   const auto &free = entries_free_to_change();

@@ -76,7 +76,7 @@ nlohmann::ordered_json run_stability(const MPI_Comm communicator, const Paramete
   prepare_result_folder(communicator, directory, file, options.force);
 
   const auto result = run_stability_experiment(communicator, parameters);
-  const auto summary =
+  auto summary =
       summary_of(parameters, result,
                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   write_summary(communicator, directory, summary);

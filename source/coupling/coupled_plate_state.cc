@@ -23,6 +23,7 @@ void exchange_found(StateArchive &archive, const std::string &name,
   std::string patterns;
   std::vector<double> tensors;
   std::vector<CellPattern> keys;
+  keys.reserve(found.size());
   for (const auto &entry : found)
     keys.push_back(entry.first);
   std::sort(keys.begin(), keys.end());

@@ -2,9 +2,9 @@
 // Rows of sections on their own, with variables made up for it.
 #include "scene/section.h"
 
+#include "ricochet/scene/text_tools.h"
 #include "scene/parameter_writer.h"
 #include "scene/section_checks.h"
-#include "ricochet/scene/text_tools.h"
 #include "support/scene_text.h"
 
 #include <sstream>

@@ -21,6 +21,7 @@ namespace ricochet
 class StateArchive
 {
 public:
+  /// Of all ranks that share the state.
   explicit StateArchive(const MPI_Comm communicator) : communicator_(communicator) {}
   virtual ~StateArchive()                       = default;
   StateArchive(const StateArchive &)            = delete;
@@ -36,6 +37,7 @@ public:
   class Group
   {
   public:
+    /// From now on; the archive must outlive it.
     Group(StateArchive &archive, const std::string &name) :
       archive_(archive), outer_(archive.prefix_)
     {

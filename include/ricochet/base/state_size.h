@@ -11,7 +11,8 @@ namespace ricochet
 class StateSize : public StateArchive
 {
 public:
-  using StateArchive::StateArchive;
+  /// Of all ranks that share the state.
+  explicit StateSize(const MPI_Comm communicator) : StateArchive(communicator) {}
 
   bool is_restoring() const override { return false; }
 

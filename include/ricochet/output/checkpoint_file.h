@@ -24,6 +24,7 @@ constexpr int checkpoint_format = 1;
 class CheckpointWriter : public StateArchive
 {
 public:
+  /// Of all ranks that share the state.
   explicit CheckpointWriter(MPI_Comm communicator);
   ~CheckpointWriter() override;
 

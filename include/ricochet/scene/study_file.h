@@ -77,9 +77,9 @@ struct StudyParameters
   std::vector<std::string> scenes;       // paths of the parameter files
   std::vector<StudyAxis> axes;           // at most 20
   std::vector<StudyColumn> axis_columns; // one per axis, or per entry with values of its own
-  Combination combination;
-  bool pictures;         // draw a comparison at the end
-  bool report;           // write report.html at the end
+  Combination combination;               // how the axes' values make cases
+  bool pictures;                         // draw a comparison at the end
+  bool report;                           // write report.html at the end
   std::string reference; // the scene that the others are compared with, as in StudyCase; or ""
   /// Scene by scene, the last axis changes fastest; one at a time: the scene itself, then axis by
   /// axis. With a reference the scenes change fastest: what is compared runs one after the other,

@@ -19,6 +19,7 @@ std::string joined(const std::vector<std::string> &words, const std::string &las
 /// "Plate 1/Grid spacing", or the name alone for an entry at the top.
 std::string entry_path(const std::string &section, const std::string &name);
 
+/// With ASCII letters alone changed.
 std::string lower_case(std::string text);
 
 /**
