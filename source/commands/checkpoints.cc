@@ -47,31 +47,26 @@ std::vector<std::string> checkpoints_in(const MPI_Comm communicator, const fs::p
 Checkpoints::Checkpoints(const MPI_Comm communicator, const OutputParameters &output,
                          std::string parameters) :
   communicator_(communicator),
-  directory_(output.directory), interval_(output.checkpoint_interval),
-  wall_interval_(output.checkpoint_wall_interval), parameters_(std::move(parameters)),
-  next_(interval_)
+  directory_(output.directory), in_time_(output.checkpoint_interval),
+  wall_interval_(output.checkpoint_wall_interval), parameters_(std::move(parameters))
 {
+  in_time_.done(0.); // the beginning is in the parameters
 }
 
 bool Checkpoints::is_due(const double time) const
 {
-  const bool in_time = interval_ > 0. && time >= next_;
-  if (in_time || wall_interval_ == 0.)
-    return in_time;
+  if (in_time_.is_due(time))
+    return true;
+  if (wall_interval_ == 0.)
+    return false;
   const double elapsed =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
   return broadcast(communicator_, elapsed >= wall_interval_, 0);
 }
 
-void Checkpoints::begin_at(const double time)
-{
-  while (interval_ > 0. && next_ <= time)
-    next_ += interval_;
-}
-
 void Checkpoints::write(const long step, const double time, const ExchangeState &exchange_state)
 {
-  begin_at(time);
+  in_time_.done(time);
   const std::string name = "step_" + with_zeros(static_cast<unsigned int>(step), 9);
   try
   {

@@ -3,7 +3,7 @@
 // "checkpoint" of the results.
 #pragma once
 
-#include "ricochet/base/state_archive.h"
+#include "schedule.h"
 
 #include <chrono>
 #include <filesystem>
@@ -31,15 +31,18 @@ public:
   /// Collective.
   void write(long step, double time, const ExchangeState &exchange_state);
 
-  /// After a resume: what is done by now.
-  void begin_at(double time);
+  /// Saves or restores when one is due next.
+  void exchange_state(StateArchive &archive)
+  {
+    in_time_.exchange_state(archive, "next checkpoint");
+  }
 
 private:
   MPI_Comm communicator_;
   std::filesystem::path directory_;
-  double interval_, wall_interval_; // [s]; 0: never
+  Schedule in_time_;     // simulated
+  double wall_interval_; // [s]; 0: never
   std::string parameters_;
-  double next_; // simulated [s]
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

@@ -77,6 +77,7 @@ void SceneRun::exchange_state(StateArchive &archive)
   frames_.exchange_state(archive);
   records_due_.exchange_state(archive, "next record");
   frames_due_.exchange_state(archive, "next frame");
+  checkpoints_.exchange_state(archive);
   archive.common("totals", totals_);
   nlohmann::ordered_json all_positions{notes_.positions, notes_.further_positions};
   auto positions      = all_positions.dump();
@@ -90,7 +91,6 @@ void SceneRun::exchange_state(StateArchive &archive)
   notes_.further_positions = all_positions[1].get<std::vector<nlohmann::ordered_json>>();
   earlier_core_seconds_    = core_seconds;
   first_step_              = simulation_.step();
-  checkpoints_.begin_at(simulation_.time());
 }
 
 nlohmann::ordered_json SceneRun::operator()(const double start_cpu_seconds)

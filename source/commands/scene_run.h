@@ -11,6 +11,7 @@
 #include "ricochet/simulation/run_summary.h"
 #include "run.h"
 #include "run_warnings.h"
+#include "schedule.h"
 
 #include <chrono>
 #include <optional>
@@ -20,28 +21,6 @@ namespace ricochet
 /// Processor time of all ranks so far: what a run costs, also where others use the machine [s].
 /// Collective.
 double cpu_seconds(MPI_Comm communicator);
-
-/// Something that is due every so often in simulated time.
-class Schedule
-{
-public:
-  explicit Schedule(const double interval) : interval_(interval) {} // [s]; 0: never
-
-  bool is_due(const double time) const { return interval_ > 0. && time >= next_; }
-  void done(const double time)
-  {
-    while (interval_ > 0. && next_ <= time)
-      next_ += interval_;
-  }
-  /// Saves or restores when it is due next.
-  void exchange_state(StateArchive &archive, const std::string &name)
-  {
-    archive.common(name, next_);
-  }
-
-private:
-  double interval_, next_ = 0.; // [s]
-};
 
 class SceneRun
 {

@@ -16,7 +16,7 @@ struct Cell
   GaussPointTensors tensors;
 };
 
-/// All that is in a map, in the order of its keys, and back. Keys are texts without zero bytes.
+/// All that is in a map, in the order of its keys, and back.
 void exchange_found(StateArchive &archive, const std::string &name,
                     std::unordered_map<CellPattern, GaussPointTensors> &found)
 {

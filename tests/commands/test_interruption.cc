@@ -26,6 +26,18 @@ TEST(Interruption, OfOneRankIsSeenByAll)
   EXPECT_FALSE(Interruption().requested(MPI_COMM_WORLD));
 }
 
+TEST(Interruption, AWishForACheckpointOfOneRankIsSeenByAllOnce)
+{
+  const Interruption interruption;
+  EXPECT_FALSE(interruption.wishes(MPI_COMM_WORLD).checkpoint);
+  if (rank() == n_ranks() - 1)
+    std::raise(SIGUSR1);
+  const auto wishes = interruption.wishes(MPI_COMM_WORLD);
+  EXPECT_TRUE(wishes.checkpoint);
+  EXPECT_FALSE(wishes.stop);
+  EXPECT_FALSE(interruption.wishes(MPI_COMM_WORLD).checkpoint);
+}
+
 TEST(Interruption, LeavesTheSignalsAsTheyWereMeant)
 {
   {

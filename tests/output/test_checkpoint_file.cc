@@ -2,6 +2,7 @@
 #include "ricochet/output/checkpoint_file.h"
 
 #include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/state_size.h"
 #include "support/scratch_directory.h"
 
 #include <numeric>
@@ -112,6 +113,16 @@ TEST(CheckpointFile, OnOneRankHasTheSums)
   expect_restored(state);
   EXPECT_EQ(state.sums[0], n_ranks());
   EXPECT_EQ(state.sums[1], 0.25 * n_ranks() * (n_ranks() - 1));
+}
+
+TEST(CheckpointFile, TakesWhatStateSizeSays)
+{
+  State state(MPI_COMM_WORLD);
+  state.fill();
+  StateSize size(MPI_COMM_WORLD);
+  state.exchange(size);
+  // A number and a vector, a text, two floats; planes, rows with their keys, two sums per rank.
+  EXPECT_EQ(size.bytes(), 8 + 24 + 9 + 8 + 10 * 3 * 8 + 20 * (8 + 2 * 8) + n_ranks() * 2 * 8);
 }
 
 TEST(CheckpointFile, OnAFullDiskThrowsAndKeepsTheOneBefore)
