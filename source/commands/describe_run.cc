@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ricochet
 {
@@ -34,6 +36,21 @@ std::string data_lines(const nlohmann::ordered_json &summary)
   const std::string text = describe_reference_data(summary);
   return text.empty() ? "" : "\ndata        " + text;
 }
+
+/// "points 52 %, debris 16 %, ...": the largest first, what is below 1 % left out.
+std::string phase_shares(const nlohmann::ordered_json &summary)
+{
+  std::vector<std::pair<double, std::string>> shares;
+  for (const auto &[name, seconds] : summary["phases"].items())
+    shares.emplace_back(100. * seconds.get<double>() / summary["core_seconds"].get<double>(), name);
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const auto &a, const auto &b) { return a.first > b.first; });
+  std::string text;
+  for (const auto &[share, name] : shares)
+    if (share >= 1.)
+      text += (text.empty() ? "" : ", ") + name + " " + with_decimals(share, 0) + " %";
+  return text;
+}
 } // namespace
 
 std::string describe_run(const nlohmann::ordered_json &summary)
@@ -60,6 +77,7 @@ std::string describe_run(const nlohmann::ordered_json &summary)
          rounded("points", 0) + " points, " + rounded("steps", 0) + " steps, " +
          rounded("core_seconds", 1) + " core-seconds, " +
          with_decimals(1e-6 * number("bond_rate_per_core"), 0) + " M directed bonds/s per core" +
-         data_lines(summary) + "\nresults     " + text("directory");
+         "\ntime        " + phase_shares(summary) + data_lines(summary) + "\nresults     " +
+         text("directory");
 }
 } // namespace ricochet

@@ -30,14 +30,21 @@ void tell_sizes(const Scene &scene)
   std::fflush(stdout);
 }
 
+std::unique_ptr<Simulation> build(const MPI_Comm communicator, const Scene &scene)
+{
+  const PhaseClock::Work work(Phase::set_up);
+  return std::make_unique<Simulation>(communicator, scene);
+}
+
 /// From the beginning, or from a state that is there.
 nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &file,
                            const RunOptions &options, ResumedState *const resumed)
 {
-  const double start_cpu_seconds = cpu_seconds(communicator);
-  const Scene scene              = read_scene(file);
-  auto data                      = reference_data_of(scene); // before the work, not after it
-  Simulation simulation(communicator, scene);
+  const auto time_before = time_spent(communicator);
+  const Scene scene      = read_scene(file);
+  auto data              = reference_data_of(scene); // before the work, not after it
+  const auto built       = build(communicator, scene);
+  Simulation &simulation = *built;
   if (resumed == nullptr)
     prepare_result_folder(communicator, scene.output.directory, file, options.force);
   const bool speaks = !options.quiet && rank_in(communicator) == 0;
@@ -58,7 +65,7 @@ nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &fil
                   with_decimals(simulation.time() / units::us, 2).c_str(), simulation.step(),
                   resumed->path.c_str());
   }
-  auto summary = run(start_cpu_seconds);
+  auto summary = run(time_before);
   if (scene.output.pictures)
     draw_pictures(communicator, scene.output.directory, options.quiet);
   if (scene.output.report)

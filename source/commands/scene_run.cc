@@ -11,8 +11,6 @@
 #include "ricochet/simulation/observation.h"
 #include "ricochet/simulation/sanity_check.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 
 namespace ricochet
@@ -26,16 +24,22 @@ std::vector<History::Column> names_and_units(const std::size_t n_projectiles)
     columns.push_back({column.name, column.unit});
   return columns;
 }
+
+/// By phase: a + b - less.
+PhaseClock::Seconds sum(PhaseClock::Seconds a, const PhaseClock::Seconds &b,
+                        const PhaseClock::Seconds &less = {})
+{
+  for (int i = 0; i < n_phases; ++i)
+    a[i] += b[i] - less[i];
+  return a;
+}
 } // namespace
 
-double cpu_seconds(const MPI_Comm communicator)
+PhaseClock::Seconds time_spent(const MPI_Comm communicator)
 {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval &t) { return t.tv_sec + 1e-6 * t.tv_usec; };
-  double sum         = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator);
-  return sum;
+  auto seconds = PhaseClock::seconds();
+  MPI_Allreduce(MPI_IN_PLACE, seconds.data(), n_phases, MPI_DOUBLE, MPI_SUM, communicator);
+  return seconds;
 }
 
 SceneRun::SceneRun(const MPI_Comm communicator, Simulation &simulation,
@@ -80,20 +84,20 @@ void SceneRun::exchange_state(StateArchive &archive)
   checkpoints_.exchange_state(archive);
   archive.common("totals", totals_);
   nlohmann::ordered_json all_positions{notes_.positions, notes_.further_positions};
-  auto positions      = all_positions.dump();
-  double core_seconds = earlier_core_seconds_ + cpu_seconds(communicator_);
+  auto positions = all_positions.dump();
+  auto spent     = sum(earlier_, time_spent(communicator_));
   archive.common("positions", positions);
-  archive.common("core seconds", core_seconds);
+  archive.common("time spent", spent);
   if (!archive.is_restoring())
     return;
   all_positions            = nlohmann::ordered_json::parse(positions);
   notes_.positions         = all_positions[0];
   notes_.further_positions = all_positions[1].get<std::vector<nlohmann::ordered_json>>();
-  earlier_core_seconds_    = core_seconds;
+  earlier_                 = spent;
   first_step_              = simulation_.step();
 }
 
-nlohmann::ordered_json SceneRun::operator()(const double start_cpu_seconds)
+nlohmann::ordered_json SceneRun::operator()(const PhaseClock::Seconds &start)
 {
   Progress progress(communicator_, scene_.time.end_time, options_.quiet);
   try
@@ -106,11 +110,11 @@ nlohmann::ordered_json SceneRun::operator()(const double start_cpu_seconds)
     progress.finish();
     notes_.failed = true;
     verdicts_.assign(watches_.size(), {Outcome::undecided, ExitFace::none, 0, error.what()});
-    finish(start_cpu_seconds);
+    finish(start);
     throw;
   }
   progress.finish();
-  return finish(start_cpu_seconds);
+  return finish(start);
 }
 
 void SceneRun::loop(Progress &progress)
@@ -190,13 +194,16 @@ void SceneRun::note_positions()
 void SceneRun::keep_checkpoint(const Interruption::Wishes &wishes, const bool stops)
 {
   const bool unfinished = notes_.interrupted && !decided_;
-  if (unfinished || wishes.checkpoint || (!stops && checkpoints_.is_due(simulation_.time())))
-    checkpoints_.write(simulation_.step(), simulation_.time(),
-                       [this](StateArchive &archive) { exchange_state(archive); });
+  if (!unfinished && !wishes.checkpoint && (stops || !checkpoints_.is_due(simulation_.time())))
+    return;
+  const PhaseClock::Work work(Phase::checkpoints);
+  checkpoints_.write(simulation_.step(), simulation_.time(),
+                     [this](StateArchive &archive) { exchange_state(archive); });
 }
 
 void SceneRun::record()
 {
+  const PhaseClock::Work work(Phase::records);
   records_due_.done(simulation_.time());
   simulation_.check_finite();
   totals_ = totals_of(simulation_);
@@ -215,6 +222,7 @@ bool SceneRun::is_picture_due() const
 
 void SceneRun::write_frame()
 {
+  const PhaseClock::Work work(Phase::frames);
   frames_due_.done(simulation_.time());
   const auto extent = frames_.extent();
   frames_.write(simulation_.time(), simulation_.points(extent), simulation_.surface(),
@@ -238,9 +246,9 @@ void SceneRun::show(Progress &progress) const
                    totals_.relative_residual(), bond_rate()});
 }
 
-nlohmann::ordered_json SceneRun::finish(const double start_cpu_seconds)
+nlohmann::ordered_json SceneRun::finish(const PhaseClock::Seconds &start)
 {
-  notes_.core_seconds      = earlier_core_seconds_ + cpu_seconds(communicator_) - start_cpu_seconds;
+  notes_.phases            = sum(earlier_, time_spent(communicator_), start);
   notes_.bond_rate         = bond_rate();
   notes_.deepest           = warnings_.deepest();
   notes_.on_elements_since = warnings_.on_elements_since();

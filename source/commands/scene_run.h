@@ -20,7 +20,7 @@ namespace ricochet
 {
 /// Processor time of all ranks so far: what a run costs, also where others use the machine [s].
 /// Collective.
-double cpu_seconds(MPI_Comm communicator);
+PhaseClock::Seconds time_spent(MPI_Comm communicator);
 
 class SceneRun
 {
@@ -34,8 +34,8 @@ public:
   /// Saves or restores the run with its simulation, and all that it has written. Collective.
   void exchange_state(StateArchive &archive);
 
-  /// To the end; `start_cpu_seconds` when all of it began. Returns the summary.
-  nlohmann::ordered_json operator()(double start_cpu_seconds);
+  /// To the end; `start` is what had been spent before. Returns the summary.
+  nlohmann::ordered_json operator()(const PhaseClock::Seconds &start);
 
 private:
   void loop(Progress &progress);
@@ -48,7 +48,7 @@ private:
   void write_frame();
   double bond_rate() const;
   void show(Progress &progress) const;
-  nlohmann::ordered_json finish(double start_cpu_seconds);
+  nlohmann::ordered_json finish(const PhaseClock::Seconds &start);
 
   MPI_Comm communicator_;
   RunOptions options_;
@@ -65,8 +65,8 @@ private:
   Totals totals_; // of the last record
   std::optional<ReferenceData> data_;
   RunNotes notes_;
-  double earlier_core_seconds_ = 0.; // before a resume [s]
-  long first_step_             = 0;  // of this process
+  PhaseClock::Seconds earlier_{}; // before a resume [s]
+  long first_step_ = 0;           // of this process
   std::string stop_reason_;
   bool decided_ = false;                 // and therefore at an end
   std::vector<OutcomeVerdict> verdicts_; // of each, at the end

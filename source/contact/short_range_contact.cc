@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/contact/short_range_contact.h"
 
+#include "ricochet/base/phase_clock.h"
+
 #include "contact_pairs.h"
 #include "field_values.h"
 #include "ricochet/contact/pair_law.h"
@@ -79,6 +81,7 @@ void ShortRangeContact::exchange_state(StateArchive &archive)
 
 void ShortRangeContact::record_work(const double dt)
 {
+  const PhaseClock::Work phase(Phase::debris);
   for (auto &work : work_)
     work.record(dt);
 }
@@ -107,6 +110,7 @@ double ShortRangeContact::squared_frequency(const PeridynamicBody &body) const
 
 void ShortRangeContact::add_forces(const double dt)
 {
+  const PhaseClock::Work phase(Phase::debris);
   if (factor_ <= 0.)
     return;
   pairs_->update(dt);

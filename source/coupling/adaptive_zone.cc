@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/coupling/adaptive_zone.h"
 
+#include "ricochet/base/phase_clock.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,6 +88,7 @@ double AdaptiveZone::energy(const double dt)
 
 bool AdaptiveZone::update(const double time, const double dt, const double furthest)
 {
+  const PhaseClock::Work work(Phase::zones);
   if (n_updates_++ % steps_between_looks != 0 || (!parameters_.adaptive && reached_ >= 0.))
     return false;
   const auto columns = columns_in_danger();

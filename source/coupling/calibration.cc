@@ -5,6 +5,7 @@
 #include "stiffness_least_squares.h"
 
 #include "ricochet/base/exchange.h"
+#include "ricochet/base/phase_clock.h"
 #include "ricochet/base/voigt.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace
 /// What a rank has found and tells the others.
 struct Finding
 {
-  Zone::Cell cell; // the first of those with the same surroundings counts, on any number of ranks
+  Zone::Cell cell; // the last of those with the same surroundings counts, on any number of ranks
   GaussPointTensors tensors;
 };
 
@@ -66,6 +67,7 @@ Calibration::Calibration(const MPI_Comm communicator, const PeridynamicBody &poi
 
 std::vector<ElementStiffness> Calibration::find()
 {
+  const PhaseClock::Work work(Phase::calibration);
   const CalibratedElements system(communicator_, points_.lattice(), elements_.mesh(),
                                   options_.tolerance);
   StiffnessLeastSquares::Start start;
@@ -93,15 +95,14 @@ void Calibration::find_start(const CalibratedElements &system,
                              std::vector<GaussPointTensors> &tensors, std::vector<char> &kept)
 {
   const Zone &zone    = system.zone();
-  const Matrix6 solid = isotropic_stiffness(moduli_);
+  const Matrix6 solid = cubic_stiffness(moduli_, elements_.material().anisotropy);
   for (const auto &element : system.elements())
   {
     auto &own = tensors.emplace_back();
     kept.push_back(0);
-    if (const auto present = present_.find(zone.number(element.cell));
-        present != present_.end() && present->second.pattern == element.pattern)
+    if (const auto *const present = kept_tensors(zone.number(element.cell), element.pattern))
     {
-      own         = present->second.tensors;
+      own         = *present;
       kept.back() = 1;
     }
     else if (const auto same = found_.find(element.pattern); same != found_.end())
@@ -117,13 +118,22 @@ void Calibration::find_start(const CalibratedElements &system,
   }
 }
 
+/// Of a cell that has kept its surroundings since the last find(), otherwise null.
+const GaussPointTensors *Calibration::kept_tensors(const std::size_t cell,
+                                                   const CellPattern &pattern) const
+{
+  const auto present = present_.find(cell);
+  const bool is_kept = present != present_.end() && present->second.pattern == pattern;
+  return is_kept ? &present->second.tensors : nullptr;
+}
+
 /// Bonds plus what the elements have less than in full, minus the elements that the cells of the
 /// zone would be.
 NodalForces Calibration::residual_of(const CalibratedElements &system,
                                      const std::vector<GaussPointTensors> &tensors)
 {
   NodalForces residual(system.nodes().size());
-  const Matrix6 solid        = isotropic_stiffness(moduli_);
+  const Matrix6 solid        = cubic_stiffness(moduli_, elements_.material().anisotropy);
   const double modulus       = moduli_.bulk + 4. / 3. * moduli_.shear;
   const double unit          = 1. / (modulus * system.edge() * system.edge());
   const StiffnessTensor full = packed(solid);
@@ -154,15 +164,17 @@ void Calibration::remember(const CalibratedElements &system,
                            const std::vector<GaussPointTensors> &tensors)
 {
   const Zone &zone = system.zone();
-  present_.clear();
   std::vector<Finding> own;
+  decltype(present_) present;
   for (std::size_t i = 0; i < tensors.size(); ++i)
   {
-    const auto &element                 = system.elements()[i];
-    present_[zone.number(element.cell)] = {element.pattern, tensors[i]};
-    if (found_.count(element.pattern) == 0)
+    const auto &element = system.elements()[i];
+    const auto number   = zone.number(element.cell);
+    if (kept_tensors(number, element.pattern) == nullptr)
       own.push_back({element.cell, tensors[i]});
+    present[number] = {element.pattern, tensors[i]};
   }
+  present_.swap(present);
   int n_ranks;
   MPI_Comm_size(communicator_, &n_ranks);
   auto all = joined(exchange_lists(communicator_, std::vector<std::vector<Finding>>(n_ranks, own)));
@@ -172,8 +184,8 @@ void Calibration::remember(const CalibratedElements &system,
   // All ranks know the zone, and therefore the patterns.
   for (const auto &finding : all)
   {
-    found_.emplace(pattern(finding.cell, /*alike=*/false), finding.tensors);
-    similar_.emplace(pattern(finding.cell, /*alike=*/true), finding.tensors);
+    found_.insert_or_assign(pattern(finding.cell, /*alike=*/false), finding.tensors);
+    similar_.insert_or_assign(pattern(finding.cell, /*alike=*/true), finding.tensors);
   }
 }
 } // namespace ricochet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Where points end and elements begin: what makes a CoupledPlate one body.
 #include "plate_elements.h"
+#include "ricochet/base/voigt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,12 +119,13 @@ std::vector<ElementStiffness> CoupledPlate::calibrated_stiffness()
 /// 1 minus the mean weight of the points in an element, times the material's stiffness.
 std::vector<ElementStiffness> CoupledPlate::blended_stiffness() const
 {
-  const auto &mesh    = elements_.mesh();
-  const auto &box     = points_->lattice().box();
-  const int n         = zone_->points_per_edge();
-  const double cell   = n * box.spacing;
-  const double mu     = elements_.material().shear_modulus,
-               lambda = elements_.material().bulk_modulus - 2. / 3. * mu;
+  const auto &mesh        = elements_.mesh();
+  const auto &box         = points_->lattice().box();
+  const int n             = zone_->points_per_edge();
+  const double cell       = n * box.spacing;
+  const auto &material    = elements_.material();
+  const double tetragonal = material.anisotropy.tetragonal * material.shear_modulus,
+               diagonal   = material.anisotropy.diagonal * material.shear_modulus;
   std::vector<ElementStiffness> stiffness;
   for (std::size_t e = 0; e < mesh.elements().size(); ++e)
   {
@@ -137,16 +139,17 @@ std::vector<ElementStiffness> CoupledPlate::blended_stiffness() const
         for (int x = n * at[0]; x < n * (at[0] + 1); ++x)
           share -= zone_->weight(x, y, z) / (n * n * n);
     ElementStiffness own{static_cast<int>(e), {}};
-    const auto isotropic = [&](const double first)
+    const auto cubic = [&](const double first)
     {
       std::array<double, HexTensors::n_entries> tensor;
       for (int i = 0, k = 0; i < 6; ++i)
         for (int j = i; j < 6; ++j, ++k)
-          tensor[k] = share * ((j < 3 ? first : 0.) + (i == j ? (i < 3 ? 2. : 1.) * mu : 0.));
+          tensor[k] = share * ((j < 3 ? first : 0.) +
+                               (i == j ? (voigt::is_shear(i) ? diagonal : 2. * tetragonal) : 0.));
       return tensor;
     };
-    own.tensors.fill(isotropic(lambda));
-    own.shear.fill(isotropic(-2. / 3. * mu));
+    own.tensors.fill(cubic(material.bulk_modulus - 2. / 3. * tetragonal));
+    own.shear.fill(cubic(-2. / 3. * tetragonal));
     stiffness.push_back(own);
   }
   return stiffness;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/coupling/dispersion.h"
 
+#include "plate_elements.h"
+
+#include "ricochet/base/elastic_constants.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -102,8 +106,10 @@ ElementDispersion::ElementDispersion(const double edge, const FiniteElementMater
                                      const Quadrature quadrature,
                                      const double hourglass_coefficient)
 {
-  const double K = material.bulk_modulus, mu = material.shear_modulus, lambda = K - 2. / 3. * mu,
-               E = 9. * K * mu / (3. * K + mu);
+  const double tetragonal = material.anisotropy.tetragonal * material.shear_modulus,
+               mu         = material.anisotropy.diagonal * material.shear_modulus,
+               lambda     = material.bulk_modulus - 2. / 3. * tetragonal,
+               E          = youngs_modulus(material.bulk_modulus, material.shear_modulus);
   stiffness_.setZero();
   // In units of the edge: energy over edge^3, displacement over edge.
   const int n_points = quadrature == Quadrature::full ? 8 : 1;
@@ -127,6 +133,8 @@ ElementDispersion::ElementDispersion(const double edge, const FiniteElementMater
             1. / n_points *
             (lambda * na * nb.transpose() +
              mu * (na.dot(nb) * Eigen::Matrix3d::Identity() + nb * na.transpose()));
+        for (int d = 0; d < 3; ++d)
+          stiffness_(3 * a + d, 3 * b + d) += 2. * (tetragonal - mu) / n_points * na[d] * nb[d];
       }
   }
   // Hourglass vectors: products of two or three corner coordinates. FiniteElementBody::Options
@@ -202,7 +210,7 @@ PredictedTimeStep predicted_time_step(const PeridynamicBody &points, const Coupl
   if (far != nullptr)
   {
     const ElementDispersion elements(far->coupling.points_per_edge * stencil.spacing,
-                                     {m.density, m.bulk_modulus, m.shear_modulus}, far->quadrature,
+                                     material_of(points), far->quadrature,
                                      far->hourglass_coefficient);
     result.elements = 2. / std::sqrt(elements.largest_squared_frequency_of_block());
   }

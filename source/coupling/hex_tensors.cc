@@ -58,13 +58,15 @@ void add(const double factor, const StiffnessTensor &x, StiffnessTensor &y)
     y[k] += factor * x[k];
 }
 
-Matrix6 isotropic_stiffness(const ElasticModuli &moduli)
+Matrix6 cubic_stiffness(const ElasticModuli &moduli, const CubicAnisotropy &anisotropy)
 {
-  const double K = moduli.bulk, mu = moduli.shear, modulus = K + 4. / 3. * mu;
-  Matrix6 C = Matrix6::Zero();
-  C.topLeftCorner<3, 3>().setConstant((K - 2. / 3. * mu) / modulus);
+  const double modulus    = moduli.bulk + 4. / 3. * moduli.shear;
+  const double tetragonal = anisotropy.tetragonal * moduli.shear;
+  Matrix6 C               = Matrix6::Zero();
+  C.topLeftCorner<3, 3>().setConstant((moduli.bulk - 2. / 3. * tetragonal) / modulus);
   for (int i = 0; i < 6; ++i)
-    C(i, i) += (voigt::is_shear(i) ? 1. : 2.) * mu / modulus;
+    C(i, i) +=
+        (voigt::is_shear(i) ? anisotropy.diagonal * moduli.shear : 2. * tetragonal) / modulus;
   return C;
 }
 

@@ -17,7 +17,7 @@ Matrix6 unpacked(const StiffnessTensor &t);
 /// y += factor x
 void add(double factor, const StiffnessTensor &x, StiffnessTensor &y);
 /// Of a material without branches, in units of M.
-Matrix6 isotropic_stiffness(const ElasticModuli &moduli);
+Matrix6 cubic_stiffness(const ElasticModuli &moduli, const CubicAnisotropy &anisotropy);
 
 /// Forces at nodes under each of the unit strains; zero at first.
 struct NodalForces : std::vector<StrainForces>

@@ -71,7 +71,8 @@ FiniteElementBody::Options element_options(const PeridynamicBody &points, const 
 FiniteElementMaterial material_of(const PeridynamicBody &points)
 {
   const auto &m = points.material();
-  return {m.density, m.bulk_modulus, m.shear_modulus, m.relaxation};
+  return {m.density, m.bulk_modulus, m.shear_modulus, m.relaxation,
+          lattice_anisotropy(points.lattice().stencil(), *m.law, m.bulk_modulus, m.shear_modulus)};
 }
 
 double relaxing_share(const PeridynamicBody &points)

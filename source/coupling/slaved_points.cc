@@ -2,6 +2,7 @@
 #include "ricochet/coupling/slaved_points.h"
 
 #include "ricochet/base/exchange.h"
+#include "ricochet/base/phase_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,12 +178,14 @@ void SlavedPoints::interpolate(const std::vector<double> &nodal, double *const f
 void SlavedPoints::interpolate_to_slaved_points(const FiniteElementBody &elements,
                                                 LatticeState &state)
 {
+  const PhaseClock::Work work(Phase::elements);
   interpolate(elements.position(), state.arrays.position);
   interpolate(elements.velocity(), state.arrays.velocity);
 }
 
 void SlavedPoints::add_transposed(const LatticeState &state, std::vector<double> &nodal_force)
 {
+  const PhaseClock::Work work(Phase::elements);
   std::fill(values_.begin(), values_.end(), 0.);
   switch (points_per_edge_)
   {

@@ -12,8 +12,8 @@ namespace
 {
 // Zones are symmetric, so that conjugate gradients know nothing of modes which rounding alone
 // excites: these would grow a little with each step, differently on any number of ranks. Three
-// rounds of seven steps, see CalibrationOptions.
-constexpr int directions_before_forgetting = 21;
+// rounds of twenty steps, see CalibrationOptions.
+constexpr int directions_before_forgetting = 60;
 
 /// Nodes of new elements are mended down to this part of what is allowed, others only to what is:
 /// when the next cells come, those kept here have room for what these do to them.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "element_groups.h"
 
+#include "shear_stress.h"
+
 #include "ricochet/base/elastic_constants.h"
 #include "ricochet/base/voigt.h"
 
@@ -169,11 +171,13 @@ HexGroup ElementGroups::view(const Group &group) const
 {
   const double k =
       hourglass_coefficient_ * youngs_modulus(material_.bulk_modulus, material_.shear_modulus);
+  const double tetragonal = material_.anisotropy.tetragonal * material_.shear_modulus;
   return {group.blocks.data(),
           group.tensors.empty() ? nullptr : group.tensors.data(),
           static_cast<int64_t>(group.elements.size()),
-          material_.bulk_modulus - 2. / 3. * material_.shear_modulus,
-          material_.shear_modulus,
+          material_.bulk_modulus - 2. / 3. * tetragonal,
+          tetragonal,
+          material_.anisotropy.diagonal * material_.shear_modulus,
           k / 48.,
           k / 144.};
 }
@@ -274,14 +278,13 @@ Eigen::Matrix3d ElementGroups::stress(const int element, const Eigen::Matrix3d &
   Eigen::Matrix3d relaxed = Eigen::Matrix3d::Zero(); // sum lambda_k E_b,k
   for (std::size_t k = 0; k < branches_.size(); ++k)
     relaxed += branches_[k].share * back_strain(element, static_cast<int>(k));
-  const double mu   = material_.shear_modulus;
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
   if (place.group == shared_moduli)
   {
-    const double lambda = material_.bulk_modulus - 2. / 3. * mu;
-    S                   = lambda * E.trace() * Eigen::Matrix3d::Identity() + 2. * mu * E;
+    S = material_.bulk_modulus * E.trace() * Eigen::Matrix3d::Identity() +
+        shear_stress(material_, E);
     if (relaxes())
-      S -= 2. * mu * (relaxed - relaxed.trace() / 3. * Eigen::Matrix3d::Identity());
+      S -= shear_stress(material_, relaxed);
   }
   else if (place.group == own_tensors)
   {

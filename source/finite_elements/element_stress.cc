@@ -1,34 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/finite_elements/element_stress.h"
 
+#include "shear_stress.h"
+
 #include <Eigen/LU>
 
 namespace ricochet
 {
-namespace
-{
-Eigen::Matrix3d deviator(const Eigen::Matrix3d &E)
-{
-  return E - E.trace() / 3. * Eigen::Matrix3d::Identity();
-}
-} // namespace
-
 StressState element_stress(const FiniteElementBody &elements, const int element)
 {
-  const auto &material = elements.material();
-  const double K = material.bulk_modulus, mu = material.shear_modulus;
+  const auto &material        = elements.material();
+  const double K              = material.bulk_modulus;
   const Eigen::Matrix3d F     = elements.deformation_gradient(element);
   const Eigen::Matrix3d E     = 0.5 * (F.transpose() * F - Eigen::Matrix3d::Identity());
-  const Eigen::Matrix3d shear = deviator(E);
-  Eigen::Matrix3d S           = K * E.trace() * Eigen::Matrix3d::Identity() + 2. * mu * shear;
+  const Eigen::Matrix3d shear = shear_stress(material, E);
+  Eigen::Matrix3d S           = K * E.trace() * Eigen::Matrix3d::Identity() + shear;
   StressState state;
-  state.energy_density = 0.5 * K * E.trace() * E.trace() + mu * shear.squaredNorm();
+  state.energy_density = 0.5 * (K * E.trace() * E.trace() + shear.cwiseProduct(E).sum());
   for (std::size_t k = 0; elements.relaxes() && k < material.relaxation.size(); ++k)
   {
     const double share         = material.relaxation[k].share;
-    const Eigen::Matrix3d back = deviator(elements.back_strain(element, static_cast<int>(k)));
-    S -= 2. * mu * share * back;
-    state.energy_density += mu * share * ((shear - back).squaredNorm() - shear.squaredNorm());
+    const Eigen::Matrix3d back = elements.back_strain(element, static_cast<int>(k)),
+                          left = E - back;
+    S -= share * shear_stress(material, back);
+    state.energy_density +=
+        0.5 * share *
+        (shear_stress(material, left).cwiseProduct(left).sum() - shear.cwiseProduct(E).sum());
   }
   state.stress     = F * S * F.transpose();
   state.dilatation = F.determinant() - 1.;

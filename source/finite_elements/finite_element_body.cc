@@ -6,6 +6,7 @@
 #include "element_groups.h"
 
 #include "ricochet/base/exceptions.h"
+#include "ricochet/base/phase_clock.h"
 
 #include <Eigen/Geometry>
 
@@ -107,6 +108,7 @@ void FiniteElementBody::absorb_at(const std::array<bool, 6> &faces)
 
 void FiniteElementBody::update_ghosts()
 {
+  const PhaseClock::Work work(Phase::elements);
   for (auto *values : {&position_, &velocity_})
   {
     mesh_.update_ghosts(values->data());
@@ -116,6 +118,7 @@ void FiniteElementBody::update_ghosts()
 
 void FiniteElementBody::compute_internal_forces(const ForceRequest &request)
 {
+  const PhaseClock::Work work(Phase::elements);
   const auto &[energy, is_step] = request;
   std::fill(force_.begin(), force_.end(), 0.);
   elements_->add_forces(position_, force_, energy, is_step);
@@ -124,12 +127,14 @@ void FiniteElementBody::compute_internal_forces(const ForceRequest &request)
 
 void FiniteElementBody::correct_mass()
 {
+  const PhaseClock::Work work(Phase::elements);
   if (consistent_mass_)
     consistent_mass_->correct(force_);
 }
 
 void FiniteElementBody::advance(const double kick, const double drift)
 {
+  const PhaseClock::Work work(Phase::elements);
   if (consistent_mass_)
     consistent_mass_->advance(kick);
   if (boundary_)

@@ -28,10 +28,11 @@ inline Element load(const double *position, const HexBlock &block, const int lan
 struct SharedModuli
 {
   static constexpr bool relaxes = false;
-  V half_lambda, mu;
+  V half_lambda, tetragonal, diagonal;
 
   SharedModuli(const HexGroup &group, int64_t, int, const HexRelaxation *) :
-    half_lambda(Simd::set(0.5 * group.lambda)), mu(Simd::set(group.mu))
+    half_lambda(Simd::set(0.5 * group.lambda)), tetragonal(Simd::set(group.mu_tetragonal)),
+    diagonal(Simd::set(group.mu_diagonal))
   {
   }
 
@@ -41,8 +42,8 @@ struct SharedModuli
     Symmetric S;
     for (int i = 0; i < 3; ++i)
     {
-      S.a[i]     = Simd::fma(mu, twice_e.a[i], pressure);
-      S.a[3 + i] = mu * twice_e.a[3 + i];
+      S.a[i]     = Simd::fma(tetragonal, twice_e.a[i], pressure);
+      S.a[3 + i] = diagonal * twice_e.a[3 + i];
     }
     return S;
   }
@@ -54,8 +55,8 @@ struct SharedModuli
     Symmetric S;
     for (int i = 0; i < 3; ++i)
     {
-      S.a[i]     = mu * (twice_e.a[i] - mean);
-      S.a[3 + i] = mu * twice_e.a[3 + i];
+      S.a[i]     = tetragonal * (twice_e.a[i] - mean);
+      S.a[3 + i] = diagonal * twice_e.a[3 + i];
     }
     return S;
   }

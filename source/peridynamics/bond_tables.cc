@@ -11,9 +11,6 @@ namespace ricochet
 {
 namespace
 {
-// [spacings]. A choice, and what hangs on it: doc/convergence.md.
-constexpr double parting_extension = 0.25;
-
 void check_moduli(const PeridynamicMaterial &material)
 {
   if (!material.law->fixes_poisson_ratio ||
@@ -46,7 +43,7 @@ BondTables::BondTables(const Lattice &lattice, const PeridynamicMaterial &materi
   const int n                  = static_cast<int>(shifts_.size());
   const double cracked_share =
       (3. * material.bulk_modulus + 4. * material.shear_modulus) / (9. * material.shear_modulus);
-  const double parting   = parting_extension * lattice.stencil().spacing;
+  const double parting   = material.parting_extension * lattice.stencil().spacing;
   breakable_             = {n,
                             shifts_.data(),
                             breakable_constants_.data(),

@@ -5,6 +5,7 @@
 #include "point_sums.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
+#include "ricochet/base/phase_clock.h"
 #include "stretched_points.h"
 
 #include <string>
@@ -101,6 +102,7 @@ void PeridynamicBody::start_flow(const double dt)
 
 void PeridynamicBody::update_ghosts()
 {
+  const PhaseClock::Work work(Phase::points);
   auto &a = state_.arrays;
   halo_.exchange(
       {a.position[0], a.position[1], a.position[2], a.velocity[0], a.velocity[1], a.velocity[2]});
@@ -109,6 +111,7 @@ void PeridynamicBody::update_ghosts()
 
 void PeridynamicBody::break_bonds()
 {
+  const PhaseClock::Work work(Phase::points);
   compute_dilatation(tables_.breakable());
   damage_.mark_damaged();
   has_dilatation_ = true;
@@ -116,6 +119,7 @@ void PeridynamicBody::break_bonds()
 
 void PeridynamicBody::book_fracture(const double dt)
 {
+  const PhaseClock::Work work(Phase::points);
   fracture_->record(dt);
 }
 
@@ -148,6 +152,7 @@ void PeridynamicBody::compute_dilatation(const BondTable &table)
 
 void PeridynamicBody::compute_internal_forces(const ForceRequest &request)
 {
+  const PhaseClock::Work work(Phase::points);
   if (!std::exchange(has_dilatation_, false))
     compute_dilatation(tables_.unbreakable());
   if (flow_ && request.is_step)
@@ -199,6 +204,7 @@ void PeridynamicBody::add_relaxing_forces(const ForceRequest &request)
 
 void PeridynamicBody::advance(const double kick, const double drift)
 {
+  const PhaseClock::Work work(Phase::points);
   for (const auto &range : lattice_.owned_ranges())
     kernel_->advance(state_.arrays, range.first, range.last, kick / mass_, drift);
   end_step();

@@ -73,4 +73,29 @@ double fracture_energy_per_squared_stretch(const Stencil &stencil, const BondLaw
   }
   return sum / (stencil.spacing * stencil.spacing);
 }
+
+CubicAnisotropy lattice_anisotropy(const Stencil &stencil, const BondLaw &law,
+                                   const double bulk_modulus, const double shear_modulus)
+{
+  const FamilyConstants family = family_constants(stencil, bulk_modulus, shear_modulus);
+  // Stresses under the strains 11 (which dilates) and 12 (in the engineering sense, which does
+  // not).
+  double c11 = 0., c12 = 0., c44 = 0.;
+  for (const auto &o : stencil.offsets)
+  {
+    const BondConstants c = law.bond(family, o.length, o.omega);
+    const double x = o.x * stencil.spacing / o.length, y = o.y * stencil.spacing / o.length,
+                 z = o.z * stencil.spacing / o.length, share = o.length / family.volume;
+    for (const double normal : {x, y, z}) // the strain; all axes are alike
+    {
+      const double tension = law.tension(c, normal * normal * o.length, /*theta_sum=*/2.);
+      const double own     = normal * normal;
+      c11 += share * tension * own / 3.;
+      c12 += share * tension * (1. - own) / 6.;
+    }
+    for (const double shear : {y * z, x * z, x * y})
+      c44 += share * law.tension(c, shear * o.length, /*theta_sum=*/0.) * shear / 3.;
+  }
+  return {0.5 * (c11 - c12) / shear_modulus, c44 / shear_modulus};
+}
 } // namespace ricochet

@@ -129,6 +129,11 @@ void add_fracture_entries(Section &in, MaterialParameters &material)
   in.with_default("Broken bonds", choice(material.cracks_push, broken_bonds), "resist compression",
                   "What a broken bond does until its ends have parted: push as the faces of a "
                   "closed crack do, or nothing");
+  in.with_default(
+      "Parting extension", quantity(material.parting_extension, Dimension::number, Limit::positive),
+      "0.25",
+      "Of a broken bond that resists compression, in grid spacings: once it is too long "
+      "by so much, its ends have parted for good, and meet as debris");
 }
 
 void add_flow_entries(Section &in, MaterialEntries &rows)

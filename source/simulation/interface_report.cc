@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/simulation/interface_report.h"
 
+#include "ricochet/base/phase_clock.h"
+
 #include "ricochet/coupling/dispersion.h"
 
 #include <cassert>
@@ -25,6 +27,7 @@ double seconds_of_points(PeridynamicBody &points)
 std::vector<InterfaceReport> interface_reports(const MPI_Comm communicator, Simulation &simulation,
                                                const double residual_left)
 {
+  const PhaseClock::Work work(Phase::set_up);
   assert(simulation.step() == 0);
   std::vector<InterfaceReport> reports;
   for (std::size_t i = 0; i < simulation.n_plates(); ++i)

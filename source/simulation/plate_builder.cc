@@ -43,7 +43,8 @@ PeridynamicMaterial bonds_of(const Scene &scene, const MaterialParameters &mater
           relaxing_within(material.relaxation, scene.time.end_time),
           material.history_precision,
           material.cracks_push,
-          material.flow};
+          material.flow,
+          material.parting_extension};
 }
 
 Plate build_plate(const MPI_Comm communicator, const Scene &scene, const std::size_t number,

@@ -6,6 +6,7 @@
 #include "zone_summary.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace ricochet
 {
@@ -87,6 +88,14 @@ Json damaged_boxes(const Simulation &simulation)
     boxes.push_back(box);
   }
   return boxes;
+}
+
+Json phases_of(const RunNotes &notes)
+{
+  Json phases;
+  for (int i = 0; i < n_phases; ++i)
+    phases[phase_names[i]] = notes.phases[i];
+  return phases;
 }
 
 double drift(const Vector3 &now, const Vector3 &start)
@@ -188,8 +197,11 @@ const std::vector<SummaryRow<RunEnd>> rows{
     {"instruction_set", "",
      [](E e) -> Json { return e.simulation.plates()[0]->kernel().instruction_set; },
      "of the kernels"},
-    {"core_seconds", "s", [](E e) -> Json { return e.notes.core_seconds; },
+    {"core_seconds", "s",
+     [](E e) -> Json { return std::accumulate(e.notes.phases.begin(), e.notes.phases.end(), 0.); },
      "processor time of all ranks"},
+    {"phases", "s", [](E e) { return phases_of(e.notes); },
+     "what of that was spent on what, by name"},
     {"bond_rate_per_core", "1/s", [](E e) -> Json { return e.notes.bond_rate / e.notes.n_ranks; },
      "directed bonds evaluated per second of wall time and rank, a measure of the work done: of a "
      "symmetric scene those of the half that is computed"},

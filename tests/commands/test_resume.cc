@@ -28,7 +28,7 @@ ParameterFile file_in(const std::filesystem::path &folder, std::vector<std::stri
 /// What all runs of a scene say alike.
 std::string said(nlohmann::ordered_json summary)
 {
-  for (const auto *name : {"core_seconds", "bond_rate_per_core", "directory", "command"})
+  for (const auto *name : {"core_seconds", "phases", "bond_rate_per_core", "directory", "command"})
     summary.erase(name);
   return summary.dump(2);
 }

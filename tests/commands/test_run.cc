@@ -247,22 +247,24 @@ TEST(Run, EveryResultFileNamesTheVersion)
 
 TEST(Run, DescriptionHasTheNumbersOfItsSummary)
 {
-  const nlohmann::ordered_json summary{{"outcome", "ricochet"},
-                                       {"reason", "it has left"},
-                                       {"exit_speed_m_s", 287.4},
-                                       {"exit_angle_deg", 12.34},
-                                       {"pitch_deg", -3.21},
-                                       {"time_us", 401.6},
-                                       {"max_depth_mm", 4.56},
-                                       {"path_mm", 123.4},
-                                       {"energy_residual", 0.00123},
-                                       {"momentum_drift", nullptr}, // not a number
-                                       {"angular_momentum_drift", 2.2e-13},
-                                       {"points", 1234567},
-                                       {"steps", 3000},
-                                       {"core_seconds", 12.34},
-                                       {"bond_rate_per_core", 4.19e8},
-                                       {"directory", "results/x"}};
+  const nlohmann::ordered_json summary{
+      {"outcome", "ricochet"},
+      {"reason", "it has left"},
+      {"exit_speed_m_s", 287.4},
+      {"exit_angle_deg", 12.34},
+      {"pitch_deg", -3.21},
+      {"time_us", 401.6},
+      {"max_depth_mm", 4.56},
+      {"path_mm", 123.4},
+      {"energy_residual", 0.00123},
+      {"momentum_drift", nullptr}, // not a number
+      {"angular_momentum_drift", 2.2e-13},
+      {"points", 1234567},
+      {"steps", 3000},
+      {"core_seconds", 12.34},
+      {"phases", {{"rest", 0.1}, {"debris", 2.4}, {"points", 9.84}}},
+      {"bond_rate_per_core", 4.19e8},
+      {"directory", "results/x"}};
   EXPECT_EQ(
       describe_run(summary),
       "\noutcome     ricochet: it has left\n"
@@ -272,6 +274,7 @@ TEST(Run, DescriptionHasTheNumbersOfItsSummary)
       "momentum drift 2e-13\n"
       "cost        1234567 points, 3000 steps, 12.3 core-seconds, 419 M directed bonds/s per "
       "core\n"
+      "time        points 80 %, debris 19 %\n"
       "results     results/x");
 }
 } // namespace

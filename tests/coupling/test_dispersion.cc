@@ -75,6 +75,29 @@ TEST(Dispersion, LatticeIsThatOfThePrototype)
   }
 }
 
+TEST(Dispersion, LongWavesAreEquallyFastInALatticeAndInElementsOfItsAnisotropy)
+{
+  // With the constant influence function the lattice is far from isotropic.
+  const auto constant = lattice(0.35, InfluenceFunction::constant, 3.);
+  auto cubic          = solid(0.35);
+  const auto error    = [&](const Vector3 &direction)
+  {
+    constexpr double small = 1e-3; // k dx: the error of both goes with its square
+    const Vector3 k        = small * direction.normalized();
+    const Eigen::SelfAdjointEigenSolver<WaveMatrix> of_lattice(constant.matrix(k)),
+        of_elements(ElementDispersion(dx, cubic, Quadrature::full).matrix(k));
+    return (of_elements.eigenvalues().cwiseQuotient(of_lattice.eigenvalues()) - Vector3::Ones())
+        .cwiseAbs()
+        .maxCoeff();
+  };
+  EXPECT_GT(error({1., 0., 0.}), 0.05);
+  cubic.anisotropy = lattice_anisotropy(make_stencil(dx, 3., InfluenceFunction::constant),
+                                        bond_law("linear peridynamic solid"), cubic.bulk_modulus,
+                                        cubic.shear_modulus);
+  for (const Vector3 &direction : {Vector3(1., 0., 0.), Vector3(1., 1., 0.), Vector3(1., 2., 3.)})
+    EXPECT_LT(error(direction), 1e-5);
+}
+
 /// Largest stable step by a plain scan of the wave vectors in steps of pi/12 [dx/c_P].
 double scanned_step(const LatticeDispersion &dispersion)
 {

@@ -38,12 +38,14 @@ TEST(HexTensors, UniformStressPullsAtCornersByAQuarterOfEachFace)
 {
   // f = -sigma s/4 in units of M h^2, s = +-1 the side of the corner.
   const ElasticModuli moduli{3.7e9, 1.2e9};
-  const Matrix6 C = isotropic_stiffness(moduli);
+  const Matrix6 C = cubic_stiffness(moduli, {1.1, 0.9});
   GaussPointTensors tensors;
   tensors.fill(packed(C));
   NodalForces forces(8);
   add_cube_forces(tensors, corners, forces);
-  EXPECT_NEAR(C(0, 0), 1., 1e-15); // M
+  EXPECT_NEAR(cubic_stiffness(moduli, {})(0, 0), 1., 1e-15); // M
+  EXPECT_NEAR(C(0, 0) - C(0, 1), 2.2 * 1.2e9 / 5.3e9, 1e-15);
+  EXPECT_NEAR(C(5, 5), 0.9 * 1.2e9 / 5.3e9, 1e-15);
   for (int a = 0; a < 8; ++a)
     for (int c = 0; c < 3; ++c)
       for (int k = 0; k < n_unit_strains; ++k)

@@ -103,6 +103,7 @@ TEST_P(RelaxingHexKernel, AgreesWithTheTextbookOverSeveralSteps)
   if (kernel == nullptr)
     GTEST_SKIP() << "this processor does not have " << test.instruction_set;
   const double dt = 0.3e-6, lambda = K - mu / 1.5;
+  const double diagonal = 0.8 * mu; // a cubic solid
   const RelaxationSeries all{{0.2, 9e-6}, {0.3, 0.9e-6}, {0.1, 0.4e-6}};
   const RelaxationSeries series(all.begin(), all.begin() + test.n_branches);
   std::vector<MaxwellStep> branches;
@@ -116,8 +117,8 @@ TEST_P(RelaxingHexKernel, AgreesWithTheTextbookOverSeveralSteps)
   std::vector<HexBlock> blocks(2);
   std::vector<HexTensors> tensors(2), shear(2);
   std::vector<ReferencePoint> points(n * n_points);
-  const Matrix6 isotropic  = isotropic_tensor(lambda, mu),
-                deviatoric = isotropic_tensor(-mu / 1.5, mu);
+  const Matrix6 cubic      = cubic_tensor(lambda, mu, diagonal),
+                deviatoric = cubic_tensor(-mu / 1.5, mu, diagonal);
   for (int e = 0; e < 16; ++e)
   {
     const int from            = std::min(e, n - 1);
@@ -129,7 +130,7 @@ TEST_P(RelaxingHexKernel, AgreesWithTheTextbookOverSeveralSteps)
     for (int point = 0; point < n_points; ++point)
     {
       auto &there = points[e * n_points + point];
-      there.C     = isotropic;
+      there.C     = cubic;
       there.C_mu  = deviatoric;
       if (test.form != Form::own_tensors)
         continue;
@@ -147,7 +148,7 @@ TEST_P(RelaxingHexKernel, AgreesWithTheTextbookOverSeveralSteps)
   std::vector<double> history(2 * n_points * 6 * (1 + series.size()) * 8, 0.);
   const double bending = mu / 37., warping = mu / 91.; // of no special value
   const HexArrays arrays{position.data(), force.data(), strain.data(), hourglass.data()};
-  const HexGroup group{blocks.data(), tensors.data(), n, lambda, mu, bending, warping};
+  const HexGroup group{blocks.data(), tensors.data(), n, lambda, mu, diagonal, bending, warping};
   const HexRelaxation relaxation{int(series.size()), branches.data(), history.data(), shear.data(),
                                  dissipated.data()};
   double largest_share = 0.; // of losses

@@ -135,7 +135,7 @@ TEST_P(GeneralHexKernelOn, IsTheOnePointElementOnCubes)
   const double mu = steel().shear_modulus, lambda = steel().bulk_modulus - mu / 1.5;
   hex_kernel(GetParam())
       ->one_point_and_energy({body.position().data(), force.data(), &strain, &hourglass},
-                             {&cube, nullptr, 1, lambda, mu, E / 48., E / 144.});
+                             {&cube, nullptr, 1, lambda, mu, mu, E / 48., E / 144.});
   const auto e = body.energies(0.);
   EXPECT_NEAR(e.strain, strain, 1e-12 * strain);
   EXPECT_NEAR(e.hourglass, hourglass, 1e-12 * hourglass);

@@ -88,7 +88,8 @@ struct Heap
   {
     std::fill(force.begin(), force.end(), 0.);
     const HexArrays arrays{position.data(), force.data(), strain.data(), hourglass.data()};
-    const HexGroup group{blocks.data(), tensors.data(), n_elements, lambda, mu, bending, warping};
+    const HexGroup group{blocks.data(), tensors.data(), n_elements, lambda, mu,
+                         0.8 * mu,      bending,        warping};
     const auto loop =
         form == Form::one_point    ? (energy ? kernel.one_point_and_energy : kernel.one_point)
         : form == Form::integrated ? (energy ? kernel.integrated_and_energy : kernel.integrated)
@@ -101,7 +102,7 @@ struct Heap
     ReferenceElement result;
     const auto x        = corners(e);
     const double volume = std::pow(edge(e), 3);
-    const Matrix6 C     = isotropic_tensor(lambda, mu);
+    const Matrix6 C     = cubic_tensor(lambda, mu, 0.8 * mu);
     if (form == Form::one_point)
     {
       result.add_point(x, edge(e), Vector3::Zero(), volume, C);

@@ -75,5 +75,50 @@ TEST(Stencil, CrackThroughNearestNeighboursCutsOneBondPerSpacingSquared)
         << name;
   }
 }
+
+TEST(Stencil, LatticeIsAsAnisotropicAsItsEnergyUnderUniformStrain)
+{
+  // With theta = tr(strain): W = (K - 5 mu/3) theta^2/2 + (15 mu/m)/2 sum omega e^2 V (Silling et
+  // al. 2007), which is C11/2 under the strain 11, C11 + C12 under 11 and 22, C44/2 under 12.
+  const double K = 5.9e9, mu = 2.258e9;
+  for (const auto function : {InfluenceFunction::cone, InfluenceFunction::constant})
+    for (const double ratio : {3., 4.})
+    {
+      const auto stencil = make_stencil(1e-3, ratio, function);
+      const auto family  = family_constants(stencil, K, mu);
+      const auto energy  = [&](const double e11, const double e22, const double twice_e12)
+      {
+        const double theta = e11 + e22;
+        double sum         = 0.;
+        for (const auto &o : stencil.offsets)
+        {
+          const double x = o.x * 1e-3, y = o.y * 1e-3;
+          const double e = (x * x * e11 + y * y * e22 + x * y * twice_e12) / o.length;
+          sum += 2. * o.omega * e * e * family.volume;
+        }
+        return 0.5 * (K - 5. / 3. * mu) * theta * theta +
+               0.5 * 15. * mu / family.weighted_volume * sum;
+      };
+      const double c11 = 2. * energy(1., 0., 0.), c12 = energy(1., 1., 0.) - c11,
+                   c44 = 2. * energy(0., 0., 1.);
+      const auto found = lattice_anisotropy(stencil, bond_law("linear peridynamic solid"), K, mu);
+      EXPECT_NEAR(found.tetragonal, 0.5 * (c11 - c12) / mu, 1e-12);
+      EXPECT_NEAR(found.diagonal, c44 / mu, 1e-12);
+      // The bulk modulus is the one given.
+      EXPECT_NEAR((c11 + 2. * c12) / 3., K, 1e-12 * K);
+    }
+}
+
+TEST(Stencil, ConeOfThreeSpacingsIsNearlyIsotropicAConstantIsNot)
+{
+  const auto anisotropy = [](const InfluenceFunction function)
+  {
+    return lattice_anisotropy(make_stencil(1., 3., function), bond_law("linear peridynamic solid"),
+                              5.9e9, 2.258e9);
+  };
+  EXPECT_NEAR(anisotropy(InfluenceFunction::cone).tetragonal, 1., 4e-3);
+  EXPECT_NEAR(anisotropy(InfluenceFunction::cone).diagonal, 1., 4e-3);
+  EXPECT_GT(anisotropy(InfluenceFunction::constant).diagonal, 1.1);
+}
 } // namespace
 } // namespace ricochet::tests

@@ -113,6 +113,13 @@ TEST(MaterialEntries, BrokenBondsResistCompressionUnlessTheyAreToCarryNothing)
                      {"Broken bonds = 'heal'", "resist compression", "carry nothing"});
 }
 
+TEST(MaterialEntries, BrokenBondsPartAtAQuarterOfASpacingUnlessToldOtherwise)
+{
+  EXPECT_EQ(read_with({}).materials[0].parting_extension, 0.25);
+  EXPECT_EQ(read_with({"Material PMMA/Parting extension=0.5"}).materials[0].parting_extension, 0.5);
+  expect_scene_error({"Material PMMA/Parting extension=0"}, {"Parting extension = '0'", "above 0"});
+}
+
 TEST(MaterialEntries, BondModelThatFixesPoissonsRatioNeedsFittingModuli)
 {
   const std::string model = "Material PMMA/Bond model=microelastic brittle";

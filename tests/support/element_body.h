@@ -96,13 +96,18 @@ inline double largest_force(const FiniteElementBody &body)
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// Isotropic C with e = (E11, E22, E33, 2 E23, 2 E13, 2 E12).
-inline Matrix6 isotropic_tensor(const double lambda, const double mu)
+inline Matrix6 cubic_tensor(const double lambda, const double tetragonal, const double diagonal)
 {
   Matrix6 C             = Matrix6::Zero();
   C.topLeftCorner(3, 3) = Eigen::Matrix3d::Constant(lambda);
-  C.diagonal().head(3) += Vector3::Constant(2. * mu);
-  C.diagonal().tail(3) = Vector3::Constant(mu);
+  C.diagonal().head(3) += Vector3::Constant(2. * tetragonal);
+  C.diagonal().tail(3) = Vector3::Constant(diagonal);
   return C;
+}
+
+inline Matrix6 isotropic_tensor(const double lambda, const double mu)
+{
+  return cubic_tensor(lambda, mu, mu);
 }
 
 /// Symmetric, eigenvalues between 0 and about 12 moduli, without any further symmetry.

@@ -36,11 +36,12 @@ constexpr std::array<CouplingMethodName, 4> coupling_methods{
 struct CalibrationOptions
 {
   /// At most: blocks and columns take about 80, with a horizon of four spacings 160
-  /// (tests/coupling/test_calibration.cc prints them); more says that the zone does not converge.
+  /// (tests/coupling/test_calibration.cc prints them), a zone through 48 points 220; more says that
+  /// the zone does not converge.
   int n_iterations = 300;
-  /// Iterations between two looks at the eigenvalues: from 3 to 21 their number changes by a
-  /// quarter (the same test).
-  int round        = 7;
+  /// Iterations between two looks at the eigenvalues: from 7 to 20 their number changes by a fifth
+  /// in columns of 24 points, and falls by two fifths in those of 48.
+  int round        = 20;
   /// Stop when all nodal forces are below, in units of M h^2: a tenth of what an interface may have
   /// (simulation/interface_report.h). In the softened layer under a free face five times as much is
   /// allowed, half of that [-].

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The hot loops of a mesh of eight-node cubes, total Lagrangian: with F = dx/dX, E = (F^T F - 1)/2
-// and S = lambda tr(E) 1 + 2 mu E (St Venant-Kirchhoff) or S = C : E, the energy of an element is
-// the sum over its quadrature points of w/2 S : E; forces are minus its gradient, hence
-// conservative and free of net force and moment at any rotation. If the shear stiffness relaxes,
+// and S = lambda tr(E) 1 + 2 mu E (St Venant-Kirchhoff; mu may be another one for shear along the
+// axes of the cubes than for their normal strains) or S = C : E, the energy of an element is the
+// sum over its quadrature points of w/2 S : E; forces are minus its gradient, hence conservative
+// and free of net force and moment at any rotation. If the shear stiffness relaxes,
 //   S = C : E - C_mu : sum_k lambda_k E_b,k,
 // with C_mu the part of C that relaxes (2 mu times the deviator, or a tensor of its own) and E_b,k
 // the strain that the dashpot of branch k has taken over, see materials/maxwell_branch.h.
@@ -45,10 +46,11 @@ struct HexTensors
 struct HexGroup
 {
   const HexBlock *blocks;    // of eight elements each
-  const HexTensors *tensors; // per block; null: all have lambda and mu
+  const HexTensors *tensors; // per block; null: all have these moduli
   int64_t n_elements;        // in all blocks; the last may not be full
-  double lambda;             // [Pa]
-  double mu;                 // [Pa]
+  double lambda;             // C12 [Pa]
+  double mu_tetragonal;      // (C11 - C12)/2 [Pa]
+  double mu_diagonal;        // C44 [Pa]
   /// Stiffness of the hourglass modes, k = coefficient * edge, in the energy k/2 |q|^2, q = sum_a
   /// Gamma_a x_a with Gamma_a = +-1: for the three bending and twisting vectors (st) and for the
   /// warping one (rst) [Pa]. One-point elements only.

@@ -7,6 +7,10 @@
 
 namespace ricochet
 {
+/// By which a broken bond is too long once its ends have parted for good [spacings]. A choice, and
+/// what hangs on it: doc/convergence.md.
+constexpr double usual_parting_extension = 0.25;
+
 /// What a law may use of one point's intact family in the bulk, and the isotropic moduli.
 struct FamilyConstants
 {

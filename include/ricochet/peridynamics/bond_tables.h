@@ -10,8 +10,8 @@
 // of its stiffness 30 mu omega V^2/m. In a family of such bonds alone that is a solid of Poisson's
 // ratio 1/4 with the modulus K + 4 mu/3 of the whole material in plane compression, so that a
 // closed crack lets a longitudinal wave pass. Its ends have parted, and meet as strangers from
-// then on, once it is a quarter of a spacing too long: opened so far, or slid past each other by as
-// much as makes that.
+// then on, once it is too long by a share of the spacing: opened so far, or slid past each other by
+// as much as makes that.
 #pragma once
 
 #include "ricochet/kernels/lattice_kernel.h"

@@ -24,5 +24,7 @@ struct PeridynamicMaterial
   bool cracks_push                   = false;
   /// Takes effect, like relaxation, by PeridynamicBody::start_relaxation().
   FlowLaw flow                       = {};
+  /// By which a broken bond is too long once its ends have parted [spacings].
+  double parting_extension           = usual_parting_extension;
 };
 } // namespace ricochet

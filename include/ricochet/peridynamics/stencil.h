@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ricochet/materials/bond_laws.h"
+#include "ricochet/materials/finite_element_material.h"
 #include "ricochet/materials/influence_function.h"
 
 #include <array>
@@ -41,4 +42,10 @@ FamilyConstants family_constants(const Stencil &stencil, double bulk_modulus, do
 /// law with omega = 1 and a full sphere it is 9 K delta/5, Silling and Askari 2005, equation 27.
 double fracture_energy_per_squared_stretch(const Stencil &stencil, const BondLaw &law,
                                            double bulk_modulus, double shear_modulus);
+
+/// A lattice is a cubic solid, not quite an isotropic one: its moduli against uniform strain, from
+/// Born's sum over the bonds, C_ij = sum t_j n_i n_i |xi| / V with t_j the tension under unit
+/// strain j (Born and Huang 1954, section 11). The bulk modulus is the one given.
+CubicAnisotropy lattice_anisotropy(const Stencil &stencil, const BondLaw &law, double bulk_modulus,
+                                   double shear_modulus);
 } // namespace ricochet

@@ -10,6 +10,7 @@
 #include "ricochet/geometry/body_of_revolution.h"
 #include "ricochet/geometry/cutouts.h"
 #include "ricochet/geometry/hex_solid.h"
+#include "ricochet/materials/bond_law.h"
 #include "ricochet/materials/flow_law.h"
 #include "ricochet/materials/influence_function.h"
 #include "ricochet/materials/relaxation.h"
@@ -34,6 +35,7 @@ struct MaterialParameters
   HistoryPrecision history_precision = HistoryPrecision::single_precision; // of the bonds
   bool cracks_push                   = true; // broken bonds resist compression until they part
   FlowLaw flow                       = {};   // in shear under pressure
+  double parting_extension           = usual_parting_extension; // of broken bonds [spacings]
 };
 
 /// Of a section 'Plate N'.

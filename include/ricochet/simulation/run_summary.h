@@ -2,6 +2,7 @@
 // What summary.json says of a run: every field with its unit, its value and its meaning in one row.
 #pragma once
 
+#include "ricochet/base/phase_clock.h"
 #include "ricochet/simulation/damage_report.h"
 #include "ricochet/simulation/hourglass_watch.h"
 #include "ricochet/simulation/interface_report.h"
@@ -21,12 +22,12 @@ struct RunNotes
   std::string version;               // of the program
   std::string command;               // that started it
   std::vector<std::string> warnings; // that the user has been given
-  int n_ranks         = 1;           // MPI processes
-  double n_points     = 0.;          // at time 0, see Simulation::n_points()
-  double n_bonds      = 0.;          // of the sound plates at time 0
-  double core_seconds = 0.;          // processor time of all ranks [s]
-  double bond_rate    = 0.; // directed bonds evaluated per second of wall time, all ranks [1/s]
-  double deepest      = 0.; // penetration of a point into the projectile so far [dx]
+  int n_ranks     = 1;               // MPI processes
+  double n_points = 0.;              // at time 0, see Simulation::n_points()
+  double n_bonds  = 0.;              // of the sound plates at time 0
+  PhaseClock::Seconds phases{};      // processor time of all ranks [s]
+  double bond_rate = 0.; // directed bonds evaluated per second of wall time, all ranks [1/s]
+  double deepest   = 0.; // penetration of a point into the projectile so far [dx]
   double on_elements_since = -1.;  // when the projectile first touched some; negative: never [s]
   HourglassShare hourglass;        // the largest of the run
   bool interrupted = false;        // the user ended the run
