@@ -61,6 +61,8 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"finite_elements/hexahedron", "finite_elements/test_hexahedral_body"},
     {"finite_elements/lumped_mass", "finite_elements/test_finite_element_body"},
     {"finite_elements/mass_properties", "finite_elements/test_modal_body"},
+    {"finite_elements/node_numbers", "finite_elements/test_hex_mesh"},
+    {"finite_elements/shared_sums", "finite_elements/test_rank_agreement"},
     {"geometry/faceted_surface", "geometry/test_hex_solid"},
     {"geometry/revolved_hexes", "geometry/test_hex_solid"},
     {"output/checkpoint_reader", "output/test_checkpoint_file"},
