@@ -79,6 +79,7 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"scene/bindings", "scene/test_section"},
     {"scene/contact_section", "scene/test_scene_reader"},
     {"scene/entry_patterns", "scene/test_quantity"},
+    {"scene/error_list", "scene/test_bad_input"},
     {"scene/file_reader", "scene/test_parameter_file"},
     {"scene/impact_section", "scene/test_scene_reader"},
     {"scene/law_entries", "scene/test_material_entries"},
