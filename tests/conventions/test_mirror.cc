@@ -67,6 +67,7 @@ const std::map<std::string, std::string> covered_elsewhere = {
     {"geometry/revolved_hexes", "geometry/test_hex_solid"},
     {"output/checkpoint_reader", "output/test_checkpoint_file"},
     {"output/checkpoint_writer", "output/test_checkpoint_file"},
+    {"output/folder_lock", "output/test_result_directory"},
     {"output/section_writer", "output/test_field_writer"},
     {"peridynamics/peridynamic_body_changes", "peridynamics/test_redistribution"},
     {"peridynamics/peridynamic_vibration", "dynamics/test_largest_frequency"},
