@@ -51,6 +51,12 @@ Checkpoints::Checkpoints(const MPI_Comm communicator, const OutputParameters &ou
   wall_interval_(output.checkpoint_wall_interval), parameters_(std::move(parameters))
 {
   in_time_.done(0.); // the beginning is in the parameters
+  // Halves that a process which was killed has left: the folder is locked, so nobody writes them.
+  std::error_code ignored;
+  if (rank_in(communicator_) == 0)
+    for (const auto &entry : fs::directory_iterator(folder_in(directory_), ignored))
+      if (entry.path().extension() == ".tmp")
+        fs::remove_all(entry.path(), ignored);
 }
 
 bool Checkpoints::is_due(const double time) const

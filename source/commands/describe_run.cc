@@ -30,6 +30,17 @@ std::string describe_further(const nlohmann::ordered_json &summary)
   return lines;
 }
 
+/// As a shell wants it.
+std::string in_shell(const std::string &path)
+{
+  if (path.find_first_of(" '\"\\$&()*;<>?[]`|~") == std::string::npos)
+    return path;
+  std::string quoted = "'";
+  for (const char c : path)
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 /// "" without reference data.
 std::string data_lines(const nlohmann::ordered_json &summary)
 {
@@ -78,6 +89,9 @@ std::string describe_run(const nlohmann::ordered_json &summary)
          rounded("core_seconds", 1) + " core-seconds, " +
          with_decimals(1e-6 * number("bond_rate_per_core"), 0) + " M directed bonds/s per core" +
          "\ntime        " + phase_shares(summary) + data_lines(summary) + "\nresults     " +
-         text("directory");
+         text("directory") +
+         (summary.value("interrupted", false)
+              ? "\ngoes on     ricochet run --resume " + in_shell(text("directory"))
+              : "");
 }
 } // namespace ricochet

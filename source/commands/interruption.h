@@ -6,8 +6,8 @@
 
 namespace ricochet
 {
-/// While it lives, SIGINT and SIGTERM are wishes to stop, a second of which ends the program at
-/// once, and SIGUSR1 one for a checkpoint.
+/// While it lives, SIGINT, SIGTERM, SIGHUP and SIGXCPU are wishes to stop, a second of which ends
+/// the program at once, and SIGUSR1 one for a checkpoint. Also calls outlive_closed_files().
 class Interruption
 {
 public:
@@ -25,4 +25,8 @@ public:
   /// Whether any rank has been asked to stop. Collective.
   bool requested(const MPI_Comm communicator) const { return wishes(communicator).stop; }
 };
+
+/// From now on that nobody reads the progress is no reason to end, and files that may not grow are
+/// errors with a message: SIGPIPE and SIGXFSZ are ignored.
+void outlive_closed_files();
 } // namespace ricochet

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run.h"
 
+#include "interruption.h"
 #include "reference_comparison.h"
 #include "result_folder.h"
 #include "resume.h"
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/number_text.h"
 #include "ricochet/base/units.h"
+#include "ricochet/output/folder_lock.h"
 #include "ricochet/output/pictures.h"
 #include "ricochet/scene/scene_reader.h"
 #include "ricochet/simulation/plate_size.h"
 #include "scene_run.h"
 
 #include <cstdio>
+#include <iostream>
+#include <memory>
 
 namespace ricochet
 {
@@ -36,17 +40,22 @@ std::unique_ptr<Simulation> build(const MPI_Comm communicator, const Scene &scen
   return std::make_unique<Simulation>(communicator, scene);
 }
 
-/// From the beginning, or from a state that is there.
+/// From the beginning, or from a state that is there, in a folder that is locked then.
 nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &file,
-                           const RunOptions &options, ResumedState *const resumed)
+                           const RunOptions &options, ResumedState *const resumed,
+                           std::unique_ptr<FolderLock> lock)
 {
+  outlive_closed_files();
   const auto time_before = time_spent(communicator);
   const Scene scene      = read_scene(file);
   auto data              = reference_data_of(scene); // before the work, not after it
   const auto built       = build(communicator, scene);
   Simulation &simulation = *built;
   if (resumed == nullptr)
+  {
     prepare_result_folder(communicator, scene.output.directory, file, options.force);
+    lock = std::make_unique<FolderLock>(communicator, scene.output.directory);
+  }
   const bool speaks = !options.quiet && rank_in(communicator) == 0;
   if (speaks)
     tell_sizes(scene);
@@ -66,6 +75,9 @@ nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &fil
                   resumed->path.c_str());
   }
   auto summary = run(time_before);
+  // Before the pictures: mpirun gives a run that it ends a second or so.
+  if (speaks)
+    std::cout << describe_run(summary) << std::endl;
   if (scene.output.pictures)
     draw_pictures(communicator, scene.output.directory, options.quiet);
   if (scene.output.report)
@@ -83,14 +95,14 @@ nlohmann::ordered_json begin_anew(const MPI_Comm communicator,
     std::printf("no checkpoint yet in %s: the run begins anew\n", directory.c_str());
   RunOptions anew = options;
   anew.force      = true;
-  return run(communicator, resumed_parameters(text, directory, overrides), anew, nullptr);
+  return run(communicator, resumed_parameters(text, directory, overrides), anew, nullptr, nullptr);
 }
 } // namespace
 
 nlohmann::ordered_json run_scene(const MPI_Comm communicator, const ParameterFile &file,
                                  const RunOptions &options)
 {
-  return run(communicator, file, options, nullptr);
+  return run(communicator, file, options, nullptr, nullptr);
 }
 
 nlohmann::ordered_json resume_scene(const MPI_Comm communicator,
@@ -98,10 +110,14 @@ nlohmann::ordered_json resume_scene(const MPI_Comm communicator,
                                     const std::vector<ParameterEntry> &overrides,
                                     const RunOptions &options)
 {
+  auto lock = std::make_unique<FolderLock>(communicator, directory);
   if (!has_checkpoints(communicator, directory))
+  {
+    lock.reset(); // the folder is prepared anew
     return begin_anew(communicator, directory, overrides, options);
+  }
   auto resumed    = newest_checkpoint(communicator, directory);
   const auto file = resumed_parameters(resumed.parameters, directory, overrides);
-  return run(communicator, file, options, &resumed);
+  return run(communicator, file, options, &resumed, std::move(lock));
 }
 } // namespace ricochet

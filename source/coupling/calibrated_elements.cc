@@ -3,6 +3,7 @@
 
 #include "surface_layers.h"
 
+#include "ricochet/base/exact_sum.h"
 #include "ricochet/base/voigt.h"
 #include "ricochet/coupling/slaved_points.h"
 
@@ -123,13 +124,12 @@ void CalibratedElements::complete(NodalForces &forces) const
 
 double CalibratedElements::squared_norm(const NodalForces &forces) const
 {
-  double sum = 0.;
+  ExactSum sum;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (nodes_[i] < mesh_.n_owned_nodes())
       for (const auto &lanes : forces[i])
-        sum += lanes.square().sum();
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-  return sum;
+        sum.add(lanes.square().sum());
+  return total(communicator_, sum);
 }
 
 double CalibratedElements::largest(const NodalForces &forces) const

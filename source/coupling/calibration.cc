@@ -137,19 +137,25 @@ NodalForces Calibration::residual_of(const CalibratedElements &system,
   const double modulus       = moduli_.bulk + 4. / 3. * moduli_.shear;
   const double unit          = 1. / (modulus * system.edge() * system.edge());
   const StiffnessTensor full = packed(solid);
+  subtract_free_cells(system, solid, residual);
+  // An element adds once: what its own terms are added up to must not depend on its neighbours.
+  NodalForces own(8);
+  const std::array<int, 8> own_corners{0, 1, 2, 3, 4, 5, 6, 7};
   for (std::size_t i = 0; i < tensors.size(); ++i)
   {
     const auto &element = system.elements()[i];
     const auto &bonds   = forces_.of(element.cell, element.pattern);
     for (int a = 0; a < 8; ++a)
       for (int c = 0; c < 3; ++c)
-        residual[element.corner[a]][c] += unit * bonds.corner[a][c];
+        own[a][c] = unit * bonds.corner[a][c];
     GaussPointTensors less = tensors[i];
     for (auto &tensor : less)
       add(-1., full, tensor);
-    add_cube_forces(less, element.corner, residual);
+    add_cube_forces(less, own_corners, own);
+    for (int a = 0; a < 8; ++a)
+      for (int c = 0; c < 3; ++c)
+        residual[element.corner[a]][c] += own[a][c];
   }
-  subtract_free_cells(system, solid, residual);
   system.complete(residual);
   return residual;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/coupling/clamped_edges.h"
 
+#include "ricochet/base/exact_sum.h"
+
 #include <Eigen/Geometry>
 
 namespace ricochet
@@ -22,7 +24,7 @@ ClampedEdges::ClampedEdges(const MPI_Comm communicator, PeridynamicBody &points,
       for (int d = 0; d < 3; ++d)
         elements_->fix(node, d);
       if (node < mesh.n_owned_nodes())
-        held_nodes_.push_back(node);
+        held_nodes_.push_back({node, {}});
     }
 }
 
@@ -73,13 +75,6 @@ void ClampedEdges::add_forces(const double dt)
     }
 }
 
-template <class Visitor>
-void ClampedEdges::for_each_node(Visitor &&visit) const
-{
-  for (const int node : held_nodes_)
-    visit(node, Vector3(-elements_->uncorrected_force(node)));
-}
-
 void ClampedEdges::record_work(const double dt)
 {
   const auto &a = points_.state().arrays;
@@ -95,13 +90,13 @@ void ClampedEdges::record_work(const double dt)
       sum[3 + d] += angular[d];
     }
   }
-  for_each_node(
-      [&](const int node, const Vector3 &reaction)
-      {
-        impulse_of_nodes_.linear += dt * reaction;
-        impulse_of_nodes_.angular +=
-            dt * Eigen::Map<const Vector3>(elements_->position().data() + 3 * node).cross(reaction);
-      });
+  for (auto &[node, impulse] : held_nodes_)
+  {
+    const Vector3 reaction = -elements_->uncorrected_force(node);
+    impulse.linear += dt * reaction;
+    impulse.angular +=
+        dt * Eigen::Map<const Vector3>(elements_->position().data() + 3 * node).cross(reaction);
+  }
 }
 
 Vector3 ClampedEdges::whole(const Vector3 &linear) const
@@ -117,21 +112,29 @@ Vector3 ClampedEdges::reaction() const
   for (const auto &[p, reaction] : held_points_)
     for (int d = 0; d < 3; ++d)
       of_points[points_.lattice().plane_of(p)][d] += reaction[d];
-  Vector3 of_nodes = Vector3::Zero();
-  for_each_node([&](int, const Vector3 &reaction) { of_nodes += reaction; });
-  MPI_Allreduce(MPI_IN_PLACE, of_nodes.data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
-  const auto sum = of_points.total(communicator_);
-  return whole(Vector3(sum[0], sum[1], sum[2]) + of_nodes);
+  std::array<ExactSum, 3> of_nodes;
+  for (const auto &held : held_nodes_)
+  {
+    const Vector3 reaction = -elements_->uncorrected_force(held.node);
+    for (int d = 0; d < 3; ++d)
+      of_nodes[d].add(reaction[d]);
+  }
+  const auto sum = of_points.total(communicator_), nodes = totals(communicator_, of_nodes);
+  return whole({sum[0] + nodes[0], sum[1] + nodes[1], sum[2] + nodes[2]});
 }
 
 Momenta ClampedEdges::impulse() const
 {
-  Momenta impulse = impulse_of_nodes_;
-  for (Vector3 *const v : {&impulse.linear, &impulse.angular})
-    MPI_Allreduce(MPI_IN_PLACE, v->data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
-  const auto sum = impulse_of_points_.total(communicator_);
-  impulse.linear += Vector3(sum[0], sum[1], sum[2]);
-  impulse.angular += Vector3(sum[3], sum[4], sum[5]);
+  std::array<ExactSum, 6> of_nodes;
+  for (const auto &held : held_nodes_)
+    for (int d = 0; d < 3; ++d)
+    {
+      of_nodes[d].add(held.impulse.linear[d]);
+      of_nodes[3 + d].add(held.impulse.angular[d]);
+    }
+  const auto sum = impulse_of_points_.total(communicator_), nodes = totals(communicator_, of_nodes);
+  const Momenta impulse{{sum[0] + nodes[0], sum[1] + nodes[1], sum[2] + nodes[2]},
+                        {sum[3] + nodes[3], sum[4] + nodes[4], sum[5] + nodes[5]}};
   return points_.multiplicity() * impulse;
 }
 
@@ -140,7 +143,24 @@ void ClampedEdges::exchange_state(StateArchive &archive)
   const StateArchive::Group group(archive, "clamped edges");
   PlaneArchive(archive, communicator_, points_.lattice())
       .sums("impulse of points", impulse_of_points_);
-  archive.by_rank("impulse of nodes", impulse_of_nodes_.linear.data(), 3);
-  archive.by_rank("angular impulse of nodes", impulse_of_nodes_.angular.data(), 3);
+  if (elements_ == nullptr)
+    return;
+  const auto &mesh = elements_->mesh();
+  std::vector<std::int64_t> places;
+  std::vector<double> impulses;
+  for (const auto &[node, impulse] : held_nodes_)
+  {
+    places.push_back(mesh.place_number(mesh.reference_position(node)));
+    for (const Vector3 *const v : {&impulse.linear, &impulse.angular})
+      impulses.insert(impulses.end(), v->data(), v->data() + 3);
+  }
+  archive.rows("impulse of nodes", places, impulses, 6);
+  const double *next = impulses.data();
+  for (auto &held : held_nodes_)
+    for (Vector3 *const v : {&held.impulse.linear, &held.impulse.angular})
+    {
+      *v = Eigen::Map<const Vector3>(next);
+      next += 3;
+    }
 }
 } // namespace ricochet

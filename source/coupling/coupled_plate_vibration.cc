@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/base/exact_sum.h"
 #include "ricochet/base/noise.h"
 #include "ricochet/coupling/coupled_plate.h"
 
@@ -80,15 +81,13 @@ public:
 
   double product(const std::vector<double> &x, const std::vector<double> &y) const override
   {
-    double points = 0., nodes = 0.;
+    ExactSum sum;
     std::size_t i = 0;
     for (; i < n_of_points_; ++i)
-      points += x[i] * y[i];
+      sum.add(points_.point_mass() * x[i] * y[i]);
     for (int k = 0; i < x.size(); ++k, ++i)
-      nodes += elements_.mass(k / 3) * x[i] * y[i];
-    double sum = points_.point_mass() * points + nodes;
-    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-    return sum;
+      sum.add(elements_.mass(k / 3) * x[i] * y[i]);
+    return total(communicator_, sum);
   }
 
   void rest() override { plate_.rest(); }

@@ -143,6 +143,10 @@ void SlavedPoints::interpolate_cells(double *const field[3]) const
 template <int n>
 void SlavedPoints::collect_forces(const LatticeState &state)
 {
+  // Apart by the side of the node on which the cell lies, along x: each side is one layer of cells
+  // and lies on one rank, and two numbers can be added in one way only.
+  std::fill(values_.begin(), values_.end(), 0.);
+  beyond_.assign(values_.size(), 0.);
   for (const auto &cell : cells_)
   {
     double v[n * n * n * 3], x[2 * n * n * 3], y[4 * n * 3], corners[8 * 3];
@@ -157,8 +161,11 @@ void SlavedPoints::collect_forces(const LatticeState &state)
     collect_axis<n, 1, 4 * 3>(y, corners);
     for (int corner = 0; corner < 8; ++corner)
       for (int d = 0; d < 3; ++d)
-        values_[3 * cell.node[corner] + d] += corners[3 * corner + d];
+        ((corner & 1) != 0 ? values_ : beyond_)[3 * cell.node[corner] + d] +=
+            corners[3 * corner + d];
   }
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    values_[i] += beyond_[i];
 }
 
 void SlavedPoints::interpolate(const std::vector<double> &nodal, double *const field[3])
@@ -186,7 +193,6 @@ void SlavedPoints::interpolate_to_slaved_points(const FiniteElementBody &element
 void SlavedPoints::add_transposed(const LatticeState &state, std::vector<double> &nodal_force)
 {
   const PhaseClock::Work work(Phase::elements);
-  std::fill(values_.begin(), values_.end(), 0.);
   switch (points_per_edge_)
   {
     case 1:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "stiffness_least_squares.h"
 
+#include "ricochet/base/exact_sum.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
@@ -178,12 +180,15 @@ void StiffnessLeastSquares::add_to_residual(const double factor, const NodalForc
 double StiffnessLeastSquares::product(const std::vector<GaussPointTensors> &x,
                                       const std::vector<GaussPointTensors> &y) const
 {
-  double sum = 0.;
+  ExactSum sum;
   for (const int i : active_)
+  {
+    double own = 0.;
     for (int g = 0; g < 8; ++g)
       for (int k = 0; k < HexTensors::n_entries; ++k)
-        sum += x[i][g][k] * y[i][g][k];
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-  return sum;
+        own += x[i][g][k] * y[i][g][k];
+    sum.add(own);
+  }
+  return total(communicator_, sum);
 }
 } // namespace ricochet

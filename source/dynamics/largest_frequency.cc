@@ -166,8 +166,8 @@ private:
   Tridiagonal found_;
 };
 
-/// To the next number of 16 bits, at most 3e-5 above: sums over elements depend on the number of
-/// ranks by 1e-11, and in all but one of a million scenes the bound then does not.
+/// To the next number of 16 bits, at most 3e-5 above: instruction sets round differently, by 1e-11,
+/// and in all but one of a million scenes the bound then does not depend on them.
 double rounded_up(const double x)
 {
   int exponent;

@@ -5,6 +5,7 @@
 // waves returns, 11 % of S waves. Constant loads push the body away: nothing holds it there.
 #pragma once
 
+#include "ricochet/base/exact_sum.h"
 #include "ricochet/base/state_archive.h"
 #include "ricochet/finite_elements/lumped_mass.h"
 #include "ricochet/materials/finite_element_material.h"
@@ -33,26 +34,26 @@ public:
   /// For a look in the middle of a step: adds what the dashpots change in the kinetic energy as the
   /// leapfrog scheme conserves it, and what they have taken until now [J].
   void add_energies(const Motion &motion, const std::vector<double> &mass, double dt,
-                    double &kinetic, double &absorbed) const;
+                    ExactSum &kinetic, ExactSum &absorbed) const;
+  /// Adds what they have carried off: momentum [kg m/s], then angular momentum [kg m^2/s].
+  void add_momenta(std::array<ExactSum, 6> &sums) const;
 
   /// Saves or restores what has been carried off. Collective.
   void exchange_state(StateArchive &archive);
-
-  // At this rank's nodes.
-  double absorbed() const { return absorbed_; }                       // up to the step before [J]
-  const Vector3 &carried_linear() const { return carried_linear_; }   // [kg m/s]
-  const Vector3 &carried_angular() const { return carried_angular_; } // [kg m^2/s]
 
 private:
   struct Dashpot
   {
     int entry;          // component of an owned node
     double coefficient; // [kg/s]
+    // Each keeps its own books: a sum over many would depend on how ranks share them.
+    double absorbed         = 0.;              // up to the step before [J]
+    double carried_linear   = 0.;              // along the component's axis [kg m/s]
+    Vector3 carried_angular = Vector3::Zero(); // [kg m^2/s]
   };
   static double damped_force(const Dashpot &dashpot, const Motion &motion, double dt);
 
-  std::vector<Dashpot> dashpots_;
-  double absorbed_        = 0.;
-  Vector3 carried_linear_ = Vector3::Zero(), carried_angular_ = Vector3::Zero();
+  std::vector<Dashpot> dashpots_;    // three per node
+  std::vector<std::int64_t> places_; // of the nodes, three dashpots each
 };
 } // namespace ricochet

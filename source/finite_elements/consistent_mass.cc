@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "consistent_mass.h"
 
+#include "ricochet/base/exact_sum.h"
 #include "ricochet/base/exceptions.h"
 
 #include <algorithm>
@@ -109,16 +110,15 @@ void ConsistentMass::multiply(std::vector<double> &x, std::vector<double> &resul
 /// r M_L^-1 r, in which Chebyshev's bound holds.
 double ConsistentMass::squared_norm(const std::vector<double> &residual) const
 {
-  double sum = 0.;
+  ExactSum sum;
   for (std::size_t i = 0; i < lumped_.inverse.size(); ++i)
-    sum += residual[i] * residual[i] * lumped_.inverse[i];
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-  return sum;
+    sum.add(residual[i] * residual[i] * lumped_.inverse[i]);
+  return total(communicator_, sum);
 }
 
 /// Solves (2 M_L - M_C) y = M_L v by Chebyshev's iteration (Saad 2003, Iterative methods for sparse
 /// linear systems, algorithm 12.1): the spectrum is known, so that the number of steps is, too, and
-/// no scalar products are needed, which would depend on the number of ranks. M_eff v = M_L y.
+/// no scalar products over all ranks are needed. M_eff v = M_L y.
 void ConsistentMass::find_momentum(const std::vector<double> &velocity)
 {
   const std::size_t n         = lumped_.inverse.size();

@@ -48,7 +48,7 @@ ElementGroups::ElementGroups(const HexMesh &mesh, const FiniteElementMaterial &m
                              const HexKernel &kernel) :
   mesh_(mesh),
   material_(material), quadrature_(quadrature), hourglass_coefficient_(hourglass_coefficient),
-  kernel_(kernel)
+  kernel_(kernel), dissipated_before_(mesh.elements().size(), 0.)
 {
   set_active(std::vector<char>(mesh.elements().size(), 0));
 }
@@ -61,7 +61,7 @@ void ElementGroups::set_active(const std::vector<char> &active)
   for (std::size_t e = 0; e < memories_.size(); ++e)
     if (!active_[e])
     {
-      dissipated_elsewhere_ += memories_[e].dissipated;
+      dissipated_before_[e] += memories_[e].dissipated;
       memories_[e] = {};
     }
   set_stiffness({});
@@ -85,16 +85,19 @@ void ElementGroups::sort(const std::vector<const ElementStiffness *> &own)
 {
   groups_ = {};
   place_.clear();
+  std::vector<int> numbers;
   for (std::size_t e = 0; e < active_.size(); ++e)
   {
     const int number = !active_[e] ? -1 : own[e] == nullptr ? shared_moduli : own_tensors;
     place_.push_back({number, 0});
+    numbers.push_back(std::max(number, 0));
     if (number < 0)
       continue;
     auto &group         = groups_[number];
     place_.back().index = static_cast<int>(group.elements.size());
     group.elements.push_back(static_cast<int>(e));
   }
+  order_ = mesh_.summation_order(numbers);
 }
 
 void ElementGroups::fill_blocks(Group &group) const
@@ -223,6 +226,7 @@ void ElementGroups::add_forces(const std::vector<double> &position, std::vector<
   }
   if (is_step)
     memories_.clear();
+  mesh_.add_to_owners(force.data(), order_);
 }
 
 double ElementGroups::strain_energy(const int element) const
@@ -237,20 +241,20 @@ double ElementGroups::hourglass_energy(const int element) const
   return place.group < 0 ? 0. : groups_[place.group].hourglass_energy[place.index];
 }
 
-ElementGroups::Energies ElementGroups::energies() const
+void ElementGroups::add_energies(Energies &sums) const
 {
-  Energies sum;
+  const auto add = [](const std::vector<double> &energies, ExactSum &sum)
+  {
+    for (const double energy : energies)
+      sum.add(energy);
+  };
   for (const auto &group : groups_)
   {
-    for (const double energy : group.strain_energy)
-      sum.strain += energy;
-    for (const double energy : group.hourglass_energy)
-      sum.hourglass += energy;
-    for (const double energy : group.history.dissipated())
-      sum.viscous += energy;
+    add(group.strain_energy, sums.strain);
+    add(group.hourglass_energy, sums.hourglass);
+    add(group.history.dissipated(), sums.viscous);
   }
-  sum.viscous += dissipated_elsewhere_;
-  return sum;
+  add(dissipated_before_, sums.viscous);
 }
 
 Eigen::Matrix3d ElementGroups::history(const int element, const int branch) const

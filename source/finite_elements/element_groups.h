@@ -6,6 +6,7 @@
 
 #include "element_history.h"
 
+#include "ricochet/base/exact_sum.h"
 #include "ricochet/base/state_archive.h"
 #include "ricochet/finite_elements/element_stiffness.h"
 #include "ricochet/finite_elements/hex_mesh.h"
@@ -25,18 +26,19 @@ public:
                 double hourglass_coefficient, const HexKernel &kernel);
 
   /// One entry per element of the mesh; all active ones have the material's moduli until
-  /// set_stiffness().
+  /// set_stiffness(). Collective.
   void set_active(const std::vector<char> &active);
   /// These elements have their own tensors from now on, all others the material's moduli. Those
-  /// that are not active are left out.
+  /// that are not active are left out. Collective.
   void set_stiffness(const std::vector<ElementStiffness> &stiffness);
   /// From no history; dt is the step of add_forces() [s]. Throws InputError for an impossible
   /// series.
   void start_relaxation(double dt);
   bool relaxes() const { return !branches_.empty(); }
 
-  /// Three numbers per local node; ghosts of the positions must be up to date [m], [N]. With
-  /// `energy`, also each element's energies. History moves on if it is a step.
+  /// Three numbers per local node; ghosts of the positions must be up to date [m], [N]. Forces go
+  /// to the nodes' owners. With `energy`, also each element's energies. History moves on if it is a
+  /// step. Collective.
   void add_forces(const std::vector<double> &position, std::vector<double> &force, bool energy,
                   bool is_step);
 
@@ -51,10 +53,10 @@ public:
   double hourglass_energy(int element) const;
   struct Energies // of this rank's elements [J]
   {
-    double strain = 0., hourglass = 0.;
-    double viscous = 0.; // turned into heat so far, also by elements that are not active any more
+    ExactSum strain, hourglass;
+    ExactSum viscous; // turned into heat so far, also by elements that are not active any more
   };
-  Energies energies() const;
+  void add_energies(Energies &sums) const;
 
   // See FiniteElementBody; zero if not active or elastic [-].
   Eigen::Matrix3d back_strain(int element, int branch) const;
@@ -96,11 +98,12 @@ private:
   std::vector<char> active_;
   std::array<Group, 2> groups_;       // shared moduli, own tensors
   std::vector<Place> place_;          // of each element
+  HexMesh::SummationOrder order_;     // one group after the other
   std::vector<MaxwellStep> branches_; // none: elastic
   /// As of the last step; empty: as the groups have it. Groups may be formed several times between
   /// two steps, each time from here: an element that passes through the other group keeps its Gauss
   /// points apart.
   Memories memories_;
-  double dissipated_elsewhere_ = 0.; // by elements that are not active any more [J]
+  std::vector<double> dissipated_before_; // per element, when it was last switched off [J]
 };
 } // namespace ricochet

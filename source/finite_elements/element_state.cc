@@ -13,14 +13,13 @@ namespace ricochet
 {
 void ElementGroups::exchange_state(StateArchive &archive)
 {
-  archive.by_rank("dissipated in former elements", &dissipated_elsewhere_, 1);
   if (!relaxes())
     return;
-  // Per element: how many Gauss points remember something, what it has dissipated, then as many
-  // values per point as fit the largest number of points.
+  // Per element: how many Gauss points remember something, what it has dissipated, now and before
+  // it was switched off, then as many values per point as fit the largest number of points.
   constexpr std::size_t most_points = 8;
   const std::size_t n_values        = voigt::n * (1 + branches_.size()),
-                    n_columns       = 2 + most_points * n_values;
+                    n_columns       = 3 + most_points * n_values;
   std::vector<std::int64_t> places;
   for (const auto &element : mesh_.elements())
     places.push_back(mesh_.place_number(mesh_.centre(element)));
@@ -31,8 +30,9 @@ void ElementGroups::exchange_state(StateArchive &archive)
     double *const row = rows.data() + e * n_columns;
     row[0]            = static_cast<double>(now[e].points.size());
     row[1]            = now[e].dissipated;
+    row[2]            = dissipated_before_[e];
     for (std::size_t g = 0; g < now[e].points.size(); ++g)
-      std::copy(now[e].points[g].begin(), now[e].points[g].end(), row + 2 + g * n_values);
+      std::copy(now[e].points[g].begin(), now[e].points[g].end(), row + 3 + g * n_values);
   }
   archive.rows("element histories", places, rows, n_columns);
   if (!archive.is_restoring())
@@ -42,8 +42,9 @@ void ElementGroups::exchange_state(StateArchive &archive)
   {
     const double *const row = rows.data() + e * n_columns;
     memories_[e].dissipated = row[1];
+    dissipated_before_[e]   = row[2];
     for (std::size_t g = 0; g < std::min(most_points, static_cast<std::size_t>(row[0])); ++g)
-      memories_[e].points.emplace_back(row + 2 + g * n_values, row + 2 + (g + 1) * n_values);
+      memories_[e].points.emplace_back(row + 3 + g * n_values, row + 3 + (g + 1) * n_values);
   }
   restore_histories();
 }

@@ -122,7 +122,6 @@ void FiniteElementBody::compute_internal_forces(const ForceRequest &request)
   const auto &[energy, is_step] = request;
   std::fill(force_.begin(), force_.end(), 0.);
   elements_->add_forces(position_, force_, energy, is_step);
-  mesh_.add_to_owners(force_.data());
 }
 
 void FiniteElementBody::correct_mass()
@@ -145,25 +144,27 @@ void FiniteElementBody::advance(const double kick, const double drift)
 
 Energies FiniteElementBody::energies(const double dt) const
 {
-  Energies e;
-  const auto kinetic = [&](const int i, const double momentum)
-  { return 0.5 * momentum * (velocity_[i] + dt * force_[i] * mass_.inverse[i]); };
+  ExactSum sum_kinetic, sum_absorbed;
+  const auto add_kinetic = [&](const int i, const double momentum)
+  { sum_kinetic.add(0.5 * momentum * (velocity_[i] + dt * force_[i] * mass_.inverse[i])); };
   for (int node = 0; node < mesh_.n_owned_nodes(); ++node)
     for (int i = 3 * node; i < 3 * node + 3; ++i)
-      e.kinetic += kinetic(i, mass_.mass[node] * velocity_[i]);
+      add_kinetic(i, mass_.mass[node] * velocity_[i]);
   if (consistent_mass_)
     for (std::size_t k = 0; k < consistent_mass_->momentum().size(); ++k)
     {
       const int node = consistent_mass_->nodes()[k / 3], i = 3 * node + static_cast<int>(k % 3);
-      e.kinetic += kinetic(i, consistent_mass_->momentum()[k] - mass_.mass[node] * velocity_[i]);
+      add_kinetic(i, consistent_mass_->momentum()[k] - mass_.mass[node] * velocity_[i]);
     }
   if (boundary_)
     boundary_->add_energies({position_, velocity_, force_, mass_.inverse}, mass_.mass, dt,
-                            e.kinetic, e.absorbed);
-  const auto of_elements = elements_->energies();
-  std::array<double, 5> sums{e.kinetic, of_elements.strain, of_elements.hourglass,
-                             of_elements.viscous, e.absorbed};
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 5, MPI_DOUBLE, MPI_SUM, communicator_);
+                            sum_kinetic, sum_absorbed);
+  ElementGroups::Energies of_elements;
+  elements_->add_energies(of_elements);
+  const auto sums =
+      totals<5>(communicator_, {sum_kinetic, of_elements.strain, of_elements.hourglass,
+                                of_elements.viscous, sum_absorbed});
+  Energies e;
   e.kinetic   = sums[0];
   e.strain    = sums[1];
   e.hourglass = sums[2];
@@ -200,16 +201,17 @@ Vector3 FiniteElementBody::uncorrected_force(const int node) const
 
 Momenta FiniteElementBody::momenta() const
 {
-  // Sums of many numbers, compared to the last bit by those who look for a drift.
-  using LongVector = Eigen::Matrix<long double, 3, 1>;
-  std::array<LongVector, 2> sums{LongVector::Zero(), LongVector::Zero()};
+  std::array<ExactSum, 6> sums;
   if (boundary_)
-    sums = {boundary_->carried_linear().cast<long double>(),
-            boundary_->carried_angular().cast<long double>()};
+    boundary_->add_momenta(sums);
   const auto add = [&](const int node, const Vector3 &linear)
   {
-    sums[0] += linear.cast<long double>();
-    sums[1] += at(position_, node).cross(linear).cast<long double>();
+    const Vector3 angular = at(position_, node).cross(linear);
+    for (int d = 0; d < 3; ++d)
+    {
+      sums[d].add(linear[d]);
+      sums[3 + d].add(angular[d]);
+    }
   };
   std::size_t k           = 0; // of the nodes whose momentum is known
   const std::size_t n_own = consistent_mass_ ? consistent_mass_->nodes().size() : 0;
@@ -218,22 +220,16 @@ Momenta FiniteElementBody::momenta() const
       add(node, at(consistent_mass_->momentum(), static_cast<int>(k++)));
     else
       add(node, mass_.mass[node] * at(velocity_, node));
-  std::array<Vector3, 2> result;
-  for (int i = 0; i < 2; ++i)
-  {
-    result[i] = sums[i].cast<double>();
-    MPI_Allreduce(MPI_IN_PLACE, result[i].data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
-  }
-  return {result[0], result[1]};
+  const auto p = totals(communicator_, sums);
+  return {{p[0], p[1], p[2]}, {p[3], p[4], p[5]}};
 }
 
 double FiniteElementBody::total_mass() const
 {
-  double sum = 0.;
+  ExactSum sum;
   for (const double mass : mass_.mass)
-    sum += mass;
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-  return sum;
+    sum.add(mass);
+  return total(communicator_, sum);
 }
 
 bool FiniteElementBody::is_active(const int element) const

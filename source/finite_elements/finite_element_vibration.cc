@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/base/exact_sum.h"
 #include "ricochet/base/noise.h"
 #include "ricochet/base/units.h"
 #include "ricochet/finite_elements/finite_element_body.h"
@@ -58,11 +59,10 @@ public:
 
   double product(const std::vector<double> &x, const std::vector<double> &y) const override
   {
-    double sum = 0.;
+    ExactSum sum;
     for (int i = 0; i < static_cast<int>(x.size()); ++i)
-      sum += body_.mass(i / 3) * x[i] * y[i];
-    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-    return sum;
+      sum.add(body_.mass(i / 3) * x[i] * y[i]);
+    return total(communicator_, sum);
   }
 
   void rest() override { body_.rest(); }

@@ -43,8 +43,30 @@ NodeLinks::NodeLinks(const MPI_Comm communicator, const HexMesh &mesh,
     if (r == rank_)
       own_ = local;
     else if (!local.empty())
-      lent_.push_back({r, local, std::vector<double>(3 * local.size())});
+      lent_.push_back({r, local, std::vector<double>(3 * local.size()), {}});
   }
+  number_sums();
+}
+
+void NodeLinks::number_sums()
+{
+  summed_ = own_;
+  for (const auto &lent : lent_)
+    summed_.insert(summed_.end(), lent.nodes.begin(), lent.nodes.end());
+  std::sort(summed_.begin(), summed_.end());
+  summed_.erase(std::unique(summed_.begin(), summed_.end()), summed_.end());
+  sums_.resize(3 * summed_.size());
+  const auto numbers_of = [&](const std::vector<int> &nodes)
+  {
+    std::vector<int> numbers;
+    for (const int node : nodes)
+      numbers.push_back(static_cast<int>(std::lower_bound(summed_.begin(), summed_.end(), node) -
+                                         summed_.begin()));
+    return numbers;
+  };
+  own_sums_ = numbers_of(own_);
+  for (auto &lent : lent_)
+    lent.sums = numbers_of(lent.nodes);
 }
 
 void NodeLinks::fetch(const std::vector<double> &values, std::vector<double> &seen)
@@ -72,6 +94,7 @@ void NodeLinks::fetch(const std::vector<double> &values, std::vector<double> &se
 void NodeLinks::add(const std::vector<double> &seen, std::vector<double> &values)
 {
   std::vector<MPI_Request> requests;
+  std::fill(sums_.begin(), sums_.end(), 0.);
   for (auto &lent : lent_)
     MPI_Irecv(lent.values.data(), static_cast<int>(lent.values.size()), MPI_DOUBLE, lent.rank,
               mpi_tag::node_sums, communicator_, &requests.emplace_back());
@@ -82,11 +105,14 @@ void NodeLinks::add(const std::vector<double> &seen, std::vector<double> &values
     else
       for (std::size_t i = run.first; i < run.last; ++i)
         for (int d = 0; d < 3; ++d)
-          values[3 * own_[i - run.first] + d] += seen[3 * i + d];
+          sums_[3 * own_sums_[i - run.first] + d] += seen[3 * i + d];
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   for (const auto &lent : lent_)
     for (std::size_t i = 0; i < lent.nodes.size(); ++i)
       for (int d = 0; d < 3; ++d)
-        values[3 * lent.nodes[i] + d] += lent.values[3 * i + d];
+        sums_[3 * lent.sums[i] + d] += lent.values[3 * i + d];
+  for (std::size_t i = 0; i < summed_.size(); ++i)
+    for (int d = 0; d < 3; ++d)
+      values[3 * summed_[i] + d] += sums_[3 * i + d];
 }
 } // namespace ricochet

@@ -370,10 +370,26 @@ inline void advance(double *position, double *velocity, const double *force,
     Simd::store(velocity + i, v);
     Simd::store(position + i, Simd::fma(drift_v, v, Simd::load(position + i)));
   }
-  for (; i < n; ++i)
+  if (i == n)
+    return;
+  // The rest by the same operations, so that nothing depends on how nodes are shared among ranks.
+  alignas(64) double rest[4][lanes] = {};
+  const int n_rest                  = int(n - i);
+  for (int l = 0; l < n_rest; ++l)
   {
-    velocity[i] += kick * force[i] * inverse_mass[i];
-    position[i] += drift * velocity[i];
+    rest[0][l] = position[i + l];
+    rest[1][l] = velocity[i + l];
+    rest[2][l] = force[i + l];
+    rest[3][l] = inverse_mass[i + l];
+  }
+  const V v = Simd::fma(kick_v * Simd::load(rest[2]), Simd::load(rest[3]), Simd::load(rest[1]));
+  const V x = Simd::fma(drift_v, v, Simd::load(rest[0]));
+  Simd::store(rest[1], v);
+  Simd::store(rest[0], x);
+  for (int l = 0; l < n_rest; ++l)
+  {
+    velocity[i + l] = rest[1][l];
+    position[i + l] = rest[0][l];
   }
 }
 

@@ -259,29 +259,4 @@ void CheckpointReader::rows_of(const std::string &name, const std::vector<std::i
                     fail_to_fit(folder_, name);
                 });
 }
-
-void CheckpointReader::by_rank_of(const std::string &name, double *const values,
-                                  const std::size_t n)
-{
-  std::vector<double> all;
-  on_every_rank(communicator(),
-                [&]
-                {
-                  const SilencedReport silenced;
-                  const auto shape = files_->shape(name);
-                  if (shape.bytes_per_row != n * sizeof(double))
-                    fail_to_fit(folder_, name);
-                  all.resize(shape.n_in_all * n);
-                  files_->read(name, 0, shape.n_in_all, reinterpret_cast<char *>(all.data()));
-                });
-  const auto rank = static_cast<std::size_t>(rank_in(communicator()));
-  if (all.size() == n * static_cast<std::size_t>(size_of(communicator())))
-  {
-    std::copy_n(all.data() + rank * n, n, values);
-    return;
-  }
-  std::fill_n(values, n, 0.);
-  for (std::size_t i = 0; i < all.size() && rank == 0; ++i)
-    values[i % n] += all[i];
-}
 } // namespace ricochet

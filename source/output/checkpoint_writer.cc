@@ -92,12 +92,4 @@ void CheckpointWriter::rows_of(const std::string &name, const std::vector<std::i
   file_->add(name, reinterpret_cast<const char *>(values.data()),
              {n_columns * sizeof(double), end - n, n, n_in_all});
 }
-
-void CheckpointWriter::by_rank_of(const std::string &name, double *const values,
-                                  const std::size_t n)
-{
-  file_->add(name, reinterpret_cast<const char *>(values),
-             {n * sizeof(double), static_cast<std::size_t>(rank_in(communicator())), 1,
-              static_cast<std::size_t>(size_of(communicator()))});
-}
 } // namespace ricochet

@@ -28,10 +28,10 @@ std::string last_line(std::string text)
 ProgramResult run_python(const std::vector<std::string> &arguments)
 {
   ProgramResult debian = run_program("/usr/bin/python3", arguments);
-  if (debian.status != -1 && debian.status != missing_module)
+  if (debian.status != ProgramResult::not_run && debian.status != missing_module)
     return debian;
   ProgramResult other = run_program("python3", arguments);
-  return other.status != -1 ? other : debian;
+  return other.status != ProgramResult::not_run ? other : debian;
 }
 
 /// `what` is missing if it fails: "pictures".
@@ -59,10 +59,10 @@ bool draw(const char *name, const std::vector<std::filesystem::path> &paths, con
       std::cout << last_line(result.text) << std::endl;
     return true;
   }
-  if (what == report && result.status == -1)
+  if (what == report && result.status == ProgramResult::not_run)
     std::cerr << "No report: it needs python3 (apt install python3), then " << name << " "
               << paths[0].string() << "\n";
-  else if (result.status == missing_module || result.status == -1)
+  else if (result.status == missing_module || result.status == ProgramResult::not_run)
     std::cerr << "No " << what
               << ": they need python3 with matplotlib and h5py (apt install "
                  "python3-matplotlib python3-h5py), then "

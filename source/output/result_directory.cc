@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/output/result_directory.h"
 
+#include "result_marker.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/output/checked_file.h"
 #include "ricochet/output/collective.h"
+#include "ricochet/output/folder_lock.h"
 
 #include <regex>
 #include <string>
@@ -14,8 +16,6 @@ namespace ricochet
 namespace
 {
 namespace fs = std::filesystem;
-
-const char *const marker = ".ricochet";
 
 /// Every name a run may leave in its folder and in the folders below; a new kind of result adds
 /// its name here.
@@ -71,9 +71,9 @@ std::vector<fs::path> results_in(const fs::path &path)
 void remove_results(const fs::path &path)
 {
   const std::vector<fs::path> results = results_in(path);
-  if (!results.empty() && !fs::exists(path / marker))
+  if (!results.empty() && !fs::exists(path / result_marker))
     throw FileError("The results folder " + path.string() + " contains " +
-                    results.front().filename().string() + ", but not the mark " + marker +
+                    results.front().filename().string() + ", but not the mark " + result_marker +
                     " of an earlier run; it will not be overwritten. Choose another folder or "
                     "remove the file.");
   for (const fs::path &file : results)
@@ -98,10 +98,15 @@ void prepare(const fs::path &path, const bool force)
                     "an earlier run in "
                     "it (other files stay).");
   make_directory(path);
-  if (force)
-    remove_results(path);
-  write_file(path / marker,
-             "This folder holds results of a ricochet run; --force may replace them.\n");
+  {
+    const FolderLock nobody_is_at_work(path);
+    if (force)
+      remove_results(path);
+  }
+  // Whoever locks the mark locks this file: it is never replaced.
+  if (!fs::exists(path / result_marker))
+    write_file(path / result_marker,
+               "This folder holds results of a ricochet run; --force may replace them.\n");
 }
 } // namespace
 

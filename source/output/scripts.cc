@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scripts.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -42,24 +45,40 @@ int start(const std::string &program, std::vector<char *> arguments, const int p
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
-  const int reason =
-      posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), variables.data());
+  // In a session of its own: mpirun, when it is asked to end, kills the groups of its processes,
+  // and what has been begun is drawn to the end all the same.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
+  const int reason = posix_spawnp(&child, program.c_str(), &actions, &attributes, arguments.data(),
+                                  variables.data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return reason;
 }
 
-std::string read_all(const int descriptor)
+/// All that comes until the other end is closed; returns false if that takes longer than the limit.
+bool read_all(const int descriptor, const std::chrono::seconds limit, std::string &text)
 {
-  std::string text;
+  const auto end = std::chrono::steady_clock::now() + limit;
   std::array<char, 4096> buffer;
-  ssize_t n;
-  while ((n = read(descriptor, buffer.data(), buffer.size())) > 0 || (n < 0 && errno == EINTR))
+  for (;;)
+  {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+        end - std::chrono::steady_clock::now());
+    pollfd watched{descriptor, POLLIN, 0};
+    const int ready = poll(&watched, 1, static_cast<int>(std::max<long>(0, left.count())));
+    if (ready == 0)
+      return false;
+    const ssize_t n = ready < 0 ? -1 : read(descriptor, buffer.data(), buffer.size());
     if (n > 0)
       text.append(buffer.data(), static_cast<std::size_t>(n));
-  return text;
+    else if (n == 0 || errno != EINTR)
+      return true;
+  }
 }
 
-/// Its exit status; -1 if it ended otherwise.
+/// Its exit status; ProgramResult::not_ended if it ended otherwise.
 int wait_for(const pid_t child)
 {
   int status = 0;
@@ -67,7 +86,7 @@ int wait_for(const pid_t child)
   do
     waited = waitpid(child, &status, 0);
   while (waited < 0 && errno == EINTR);
-  return waited == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return waited == child && WIFEXITED(status) ? WEXITSTATUS(status) : ProgramResult::not_ended;
 }
 } // namespace
 
@@ -92,7 +111,8 @@ std::filesystem::path this_program()
   return std::filesystem::read_symlink("/proc/self/exe", error);
 }
 
-ProgramResult run_program(const std::string &program, const std::vector<std::string> &arguments)
+ProgramResult run_program(const std::string &program, const std::vector<std::string> &arguments,
+                          const std::chrono::seconds limit)
 {
   std::vector<char *> argv = {const_cast<char *>(program.c_str())};
   for (const std::string &argument : arguments)
@@ -101,17 +121,21 @@ ProgramResult run_program(const std::string &program, const std::vector<std::str
 
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
-    return {-1, std::strerror(errno)};
+    return {ProgramResult::not_run, std::strerror(errno)};
   pid_t child      = 0;
   const int reason = start(program, argv, ends[1], child);
   close(ends[1]);
-  ProgramResult result{-1, ""};
+  ProgramResult result{ProgramResult::not_run, ""};
   if (reason != 0)
     result.text = program + ": " + std::strerror(reason);
   else
   {
-    result.text   = read_all(ends[0]);
+    const bool ended = read_all(ends[0], limit, result.text);
+    if (!ended)
+      kill(child, SIGKILL);
     result.status = wait_for(child);
+    if (!ended)
+      result.text = "it had not ended after " + std::to_string(limit.count()) + " s";
   }
   close(ends[0]);
   return result;

@@ -2,6 +2,7 @@
 // Where the scripts that draw pictures lie, and running them.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,11 +22,15 @@ std::filesystem::path this_program();
 
 struct ProgramResult
 {
-  int status;       // exit status, or -1 if the program could not be run
-  std::string text; // what it printed, or why it could not be run
+  static constexpr int not_run = -1, not_ended = -2;
+
+  int status;       // exit status; not_run if the program could not be; not_ended if it was killed
+  std::string text; // what it printed, or why it could not be run or was stopped
 };
 
 /// Runs a program, found as by a shell, with arguments and without a shell, and waits for it. Its
 /// environment lacks the marks of an MPI process, which would make h5py start MPI in the script.
-ProgramResult run_program(const std::string &program, const std::vector<std::string> &arguments);
+/// After `limit` it is killed; pictures of the largest frames take a minute or two.
+ProgramResult run_program(const std::string &program, const std::vector<std::string> &arguments,
+                          std::chrono::seconds limit = std::chrono::minutes(10));
 } // namespace ricochet

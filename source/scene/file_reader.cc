@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "file_reader.h"
 
+#include "error_list.h"
+
 #include "ricochet/base/exceptions.h"
 #include "ricochet/scene/text_tools.h"
 
@@ -73,11 +75,13 @@ public:
   {
     std::istringstream lines(text.rfind("\xef\xbb\xbf", 0) == 0 ? text.substr(3) : text);
     std::string line;
+    ErrorList errors;
     while (next_line(lines, line))
-      read_line(line);
-    if (!section_.empty())
+      errors.collect([&] { read_line(line); });
+    if (!section_.empty() && errors.empty())
       fail(section_line_, "The section " + in_quotes(section_) + " has no 'end'",
            "Add a line 'end' after its last entry.");
+    errors.throw_if_any();
 
     FileContent content = std::move(included_);
     for (const auto &section : own_.sections)
@@ -151,27 +155,31 @@ private:
 
   void open_section(const std::string &name)
   {
+    const std::string before       = section_;
+    const unsigned int line_before = section_line_;
+    // The one that is open from here on, also if something is wrong: reading goes on.
+    section_                       = name.empty() ? "?" : name;
+    section_line_                  = line_;
     if (name.empty())
       fail(line_, "The section has no name", "Write 'subsection NAME'.");
-    if (!section_.empty())
+    if (!before.empty())
       fail(line_,
-           "The section " + in_quotes(name) + " begins inside the section " + in_quotes(section_) +
-               ", which is open since line " + std::to_string(section_line_),
+           "The section " + in_quotes(name) + " begins inside the section " + in_quotes(before) +
+               ", which is open since line " + std::to_string(line_before),
            "Sections do not contain sections; add the missing 'end' before this line.");
-    section_      = name;
-    section_line_ = line_;
     add_section(own_, {name, origin(line_), true});
   }
 
   void close_section(const std::string &rest)
   {
+    const bool was_open = !section_.empty();
+    section_.clear();
     if (!rest.empty())
       fail(line_, "Nothing may follow 'end', but " + in_quotes(rest) + " does",
            "Put a # before a comment.");
-    if (section_.empty())
+    if (!was_open)
       fail(line_, "There is no section for this 'end' to close",
            "Remove it, or add the missing 'subsection NAME' line before it.");
-    section_.clear();
   }
 
   void include(const std::string &name)

@@ -76,13 +76,9 @@ Section impact_section(ImpactParameters &impact, const unsigned int number, cons
                   "Distance between the projectile's lowest point and the plate at the start");
 
   in.check([&] { check_angles(impact, incidence, attack, yaw); });
-  in.check_with_others(
-      [&]
-      {
-        check_entry_point(impact, scene, point);
-        check_symmetry(scene, impact.yaw_angle, yaw);
-        check_symmetry(scene, impact.spin, spin);
-      });
+  in.check_with_others([&] { check_entry_point(impact, scene, point); });
+  in.check_with_others([&] { check_symmetry(scene, impact.yaw_angle, yaw); });
+  in.check_with_others([&] { check_symmetry(scene, impact.spin, spin); });
   return in;
 }
 } // namespace ricochet

@@ -183,14 +183,10 @@ Section material_section(MaterialParameters &material)
   add_flow_entries(in, *rows);
   add_relaxation_entries(in, *rows);
 
-  in.check(
-      [rows]
-      {
-        rows->read_moduli();
-        rows->read_relaxation();
-        rows->check_flow();
-        rows->check_bond_model();
-      });
+  in.check([rows] { rows->read_moduli(); });
+  in.check([rows] { rows->read_relaxation(); });
+  in.check([rows] { rows->check_flow(); });
+  in.check([rows] { rows->check_bond_model(); });
   return in;
 }
 } // namespace ricochet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/scene/parameter_file.h"
 
+#include "error_list.h"
 #include "file_reader.h"
 #include "ricochet/base/exceptions.h"
 #include "ricochet/scene/text_tools.h"
@@ -32,8 +33,10 @@ ParameterEntry parse_override(const std::string &text, const std::string &origin
 std::vector<ParameterEntry> parse_overrides(const std::vector<std::string> &texts)
 {
   std::vector<ParameterEntry> entries;
+  ErrorList errors;
   for (const auto &text : texts)
-    entries.push_back(parse_override(text));
+    errors.collect([&] { entries.push_back(parse_override(text)); });
+  errors.throw_if_any();
   return entries;
 }
 
@@ -49,17 +52,24 @@ ParameterFile ParameterFile::from_text(const std::string &text, const std::strin
   FileContent content = read_content(text, path);
 
   std::vector<ParameterEntry> seen;
+  ErrorList errors;
   for (const auto &entry : overrides)
   {
     if (const ParameterEntry *const first = find_entry(seen, entry))
-      throw InputError(entry.origin + ": " + in_quotes(entry_path(entry.section, entry.name)) +
-                       " is set twice, to " + in_quotes(first->value) + " (" + first->origin +
-                       ") and to " + in_quotes(entry.value) + ".\n  Give one of the two.");
+      errors.collect(
+          [&]
+          {
+            throw InputError(entry.origin + ": " +
+                             in_quotes(entry_path(entry.section, entry.name)) +
+                             " is set twice, to " + in_quotes(first->value) + " (" + first->origin +
+                             ") and to " + in_quotes(entry.value) + ".\n  Give one of the two.");
+          });
     seen.push_back(entry);
     if (!entry.section.empty())
       add_section(content, {entry.section, entry.origin, false});
     override_with(content, entry);
   }
+  errors.throw_if_any();
 
   ParameterFile file;
   file.path_     = path;

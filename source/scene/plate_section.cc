@@ -258,24 +258,16 @@ Section plate_section(PlateParameters &plate, const unsigned int number, const S
   add_support_entries(in, *rows);
   rows->cutouts.add_to(in);
 
-  in.check(
-      [rows]
-      {
-        rows->read_zone_boxes();
-        rows->check_horizon();
-        rows->check_number_of_points();
-        rows->cutouts.read();
-      });
-  in.check_with_others(
-      [rows]
-      {
-        rows->check_edges();
-        rows->check_clamps();
-        rows->cutouts.check_with_others();
-        rows->check_gap();
-        rows->check_joint();
-        rows->check_material();
-      });
+  in.check([rows] { rows->read_zone_boxes(); });
+  in.check([rows] { rows->check_horizon(); });
+  in.check([rows] { rows->check_number_of_points(); });
+  in.check([rows] { rows->cutouts.read(); });
+  in.check_with_others([rows] { rows->check_edges(); });
+  in.check_with_others([rows] { rows->check_clamps(); });
+  in.check_with_others([rows] { rows->cutouts.check_with_others(); });
+  in.check_with_others([rows] { rows->check_gap(); });
+  in.check_with_others([rows] { rows->check_joint(); });
+  in.check_with_others([rows] { rows->check_material(); });
   return in;
 }
 } // namespace ricochet

@@ -82,8 +82,8 @@ std::string plain_unit(std::string unit)
 std::string unit_problem(const std::string &unit, const Dimension dimension)
 {
   for (const Unit &other : units)
-    if (unit == other.name)
-      return in_quotes(unit) + " is a unit of " + dimension_name(other.dimension).substr(2) + ".";
+    if (const std::string name = dimension_name(other.dimension); unit == other.name)
+      return in_quotes(unit) + " is a unit of " + name.substr(name.find(' ') + 1) + ".";
   for (const auto &name : units_of(dimension))
     if (lower_case(name) == lower_case(unit))
       return "There is no unit " + in_quotes(unit) + "; did you mean '" + name + "'?";
@@ -214,8 +214,9 @@ ParsedQuantities parse_quantities(const std::string &text, const Dimension dimen
   const auto parts = split(text, ',');
   if (n_values > 0 && parts.size() != n_values && !(n_values == 1 && parts.size() == 2))
     return {{},
-            "There are " + std::to_string(parts.size()) + " values instead of " +
-                std::to_string(n_values) + "."};
+            (parts.size() == 1 ? "There is 1 value"
+                               : "There are " + std::to_string(parts.size()) + " values") +
+                " instead of " + std::to_string(n_values) + "."};
   if (n_values > 0 && parts.size() != n_values)
     return {{}, "One value is expected; the decimal mark is a point, not a comma."};
 

@@ -174,15 +174,15 @@ void Section::assign() const
         assign(entry.text());
 }
 
-void Section::run_checks() const
+void Section::run_checks(ErrorList &errors) const
 {
   for (const auto &check : checks_)
-    check();
+    errors.collect(check);
 }
 
-void Section::run_checks_with_others() const
+void Section::run_checks_with_others(ErrorList &errors) const
 {
   for (const auto &check : checks_with_others_)
-    check();
+    errors.collect(check);
 }
 } // namespace ricochet

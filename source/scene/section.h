@@ -15,6 +15,7 @@
 #pragma once
 
 #include "bindings.h"
+#include "error_list.h"
 #include "ricochet/scene/parameter_file.h"
 
 #include <deque>
@@ -138,8 +139,9 @@ public:
   void read(const ParameterFile &file);
   /// Gives the variables their values or defaults; those without either keep what they have.
   void assign() const;
-  void run_checks() const;
-  void run_checks_with_others() const;
+  // Every check, whatever the others find.
+  void run_checks(ErrorList &errors) const;
+  void run_checks_with_others(ErrorList &errors) const;
 
 private:
   Entry &add(const std::string &name, const Binding &binding, const std::string &documentation);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "section_checks.h"
 
+#include "error_list.h"
+
 #include "ricochet/base/exceptions.h"
 #include "ricochet/scene/text_tools.h"
 
@@ -18,16 +20,24 @@ const Section *find_section(const std::vector<Section> &sections, const std::str
   return nullptr;
 }
 
-void check_names(const ParameterFile &file, const std::vector<Section> &sections)
+/// Returns whether all sections are known.
+bool check_names(const ParameterFile &file, const std::vector<Section> &sections, ErrorList &errors)
 {
   std::vector<std::string> known;
   for (const Section &section : sections)
     if (!section.name().empty())
       known.push_back(section.name());
+  const std::size_t n_before = errors.size();
   for (const auto &section : file.sections())
     if (find_section(sections, section.name) == nullptr)
-      throw InputError(section.origin + ": There is no section " + in_quotes(section.name) +
-                       guess(section.name, known) + "\n  The sections are: " + joined(known) + ".");
+      errors.collect(
+          [&]
+          {
+            throw InputError(section.origin + ": There is no section " + in_quotes(section.name) +
+                             guess(section.name, known) + "\n  The sections are: " + joined(known) +
+                             ".");
+          });
+  return errors.size() == n_before;
 }
 
 [[noreturn]] void fail_unknown_entry(const ParameterEntry &entry,
@@ -99,28 +109,42 @@ std::vector<std::string> missing_of(const Choice &choice)
   return lines;
 }
 
-std::vector<std::string> missing_of(const Section &section)
+std::vector<std::string> missing_of(const Section &section, ErrorList &errors)
 {
   std::vector<std::string> lines;
   for (const Entry &entry : section.entries())
     if (entry.is_required && !entry.is_given())
       lines.push_back(entry.example_line());
   for (const Choice &choice : section.choices())
-  {
-    const auto more = missing_of(choice);
-    lines.insert(lines.end(), more.begin(), more.end());
-  }
+    errors.collect(
+        [&]
+        {
+          const auto more = missing_of(choice);
+          lines.insert(lines.end(), more.begin(), more.end());
+        });
   return lines;
 }
 
-void check_missing(const ParameterFile &file, const std::vector<Section> &sections)
+/// An entry that the section does not have may be one that it misses, misspelt.
+bool has_unknown_entry(const ParameterFile &file, const Section &section)
+{
+  return std::any_of(file.entries().begin(), file.entries().end(),
+                     [&](const ParameterEntry &entry) {
+                       return entry.section == section.name() &&
+                              section.find(entry.name) == nullptr;
+                     });
+}
+
+/// `all_known`: whether no section is misspelt.
+void check_missing(const ParameterFile &file, const std::vector<Section> &sections,
+                   const bool all_known, ErrorList &errors)
 {
   std::string text;
   std::size_t n_missing = 0;
   for (const Section &section : sections)
   {
-    const auto lines = missing_of(section);
-    if (lines.empty())
+    const auto lines = missing_of(section, errors);
+    if (lines.empty() || !all_known || has_unknown_entry(file, section))
       continue;
     n_missing += lines.size();
     const bool is_top = section.name().empty();
@@ -129,24 +153,32 @@ void check_missing(const ParameterFile &file, const std::vector<Section> &sectio
       text += (is_top ? "\n  " : "\n    ") + line;
     text += is_top ? "" : "\n  end";
   }
-  if (n_missing > 0)
-    throw InputError(file.path() + ": " +
-                     (n_missing == 1
-                          ? "An entry without a default is missing."
-                          : std::to_string(n_missing) + " entries without a default are missing.") +
-                     " Add, with your own values:" + text +
-                     (n_missing > 5 ? "\n  'ricochet template' prints a complete file." : ""));
+  if (n_missing == 0)
+    return;
+  errors.collect(
+      [&]
+      {
+        throw InputError(file.path() + ": " +
+                         (n_missing == 1 ? "An entry without a default is missing."
+                                         : std::to_string(n_missing) +
+                                               " entries without a default are missing.") +
+                         " Add, with your own values:" + text +
+                         (n_missing > 5 ? "\n  'ricochet template' prints a complete file." : ""));
+      });
 }
 } // namespace
 
 void read_sections(const ParameterFile &file, std::vector<Section> &sections)
 {
-  check_names(file, sections);
+  ErrorList errors;
+  const bool all_known = check_names(file, sections, errors);
   for (const auto &entry : file.entries())
-    check_value(entry, sections);
+    if (entry.section.empty() || find_section(sections, entry.section) != nullptr)
+      errors.collect([&] { check_value(entry, sections); });
   for (Section &section : sections)
     section.read(file);
-  check_missing(file, sections);
+  check_missing(file, sections, all_known, errors);
+  errors.throw_if_any();
   for (const Section &section : sections)
     section.assign();
 }
@@ -154,9 +186,12 @@ void read_sections(const ParameterFile &file, std::vector<Section> &sections)
 void read_and_check_sections(const ParameterFile &file, std::vector<Section> &sections)
 {
   read_sections(file, sections);
+  ErrorList errors;
   for (const Section &section : sections)
-    section.run_checks();
+    section.run_checks(errors);
+  errors.throw_if_any();
   for (const Section &section : sections)
-    section.run_checks_with_others();
+    section.run_checks_with_others(errors);
+  errors.throw_if_any();
 }
 } // namespace ricochet

@@ -15,11 +15,13 @@ namespace ricochet
  * entries (Section::check) are not run.
  *
  * Throws InputError that names file, line, value, what is expected and what to do: for an unknown
- * section or entry, a value that does not match its pattern, two options of one choice, and, in one
- * message, for all that is missing.
+ * section or entry, a value that does not match its pattern, two options of one choice, and for all
+ * that is missing. One message has all errors of these kinds; what may follow from a misspelt name
+ * is left out.
  */
 void read_sections(const ParameterFile &file, std::vector<Section> &sections);
 
-/// The same, with the checks.
+/// The same, with the checks: those of each section, and if all hold, those with other sections.
+/// Each of the two kinds is told in one message, too.
 void read_and_check_sections(const ParameterFile &file, std::vector<Section> &sections);
 } // namespace ricochet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ricochet/simulation/stability_experiment.h"
 
+#include "ricochet/base/exact_sum.h"
 #include "ricochet/base/noise.h"
 #include "ricochet/base/units.h"
 #include "ricochet/coupling/dispersion.h"
@@ -130,20 +131,21 @@ public:
   {
     const auto &a        = points_->state().arrays;
     const auto &elements = far_->elements();
-    double points = 0., nodes = 0.;
+    ExactSum twice;
     for (const std::ptrdiff_t p : free_)
       for (const double *v : a.velocity)
-        points += v[p] * v[p];
+        twice.add(points_->point_mass() * v[p] * v[p]);
     for (int i = 0; i < 3 * elements.mesh().n_owned_nodes(); ++i)
-      nodes += elements.mass(i / 3) * elements.velocity()[i] * elements.velocity()[i];
-    return sum(0.5 * (points_->point_mass() * points + nodes));
+      twice.add(elements.mass(i / 3) * elements.velocity()[i] * elements.velocity()[i]);
+    return 0.5 * total(communicator_, twice);
   }
 
   /// Root mean square of the hourglass displacements sum Gamma_a u_a of all elements [m].
   double hourglass_displacement() const
   {
     const auto &elements = far_->elements();
-    double total = 0., n = 0.;
+    ExactSum squares;
+    double n = 0.;
     for (std::size_t e = 0; e < elements.mesh().elements().size(); ++e)
     {
       if (!elements.is_active(static_cast<int>(e)))
@@ -160,11 +162,11 @@ public:
             const int odd   = (minus ^ (minus >> 1) ^ (minus >> 2)) & 1;
             q += (odd ? -1. : 1.) * elements.position()[3 * nodes[a] + d];
           }
-          total += q * q;
+          squares.add(q * q);
           n += 1.;
         }
     }
-    return std::sqrt(sum(total) / sum(n));
+    return std::sqrt(total(communicator_, squares) / sum(n));
   }
 
   double energy(const double dt) const { return far_->energies(dt).held(); }

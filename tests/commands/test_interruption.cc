@@ -13,7 +13,7 @@ using namespace tests;
 
 TEST(Interruption, OfOneRankIsSeenByAll)
 {
-  for (const int signal : {SIGINT, SIGTERM})
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU})
   {
     const Interruption interruption;
     EXPECT_FALSE(interruption.requested(MPI_COMM_WORLD));
@@ -44,9 +44,20 @@ TEST(Interruption, LeavesTheSignalsAsTheyWereMeant)
     const Interruption interruption;
     std::raise(SIGINT);
     // A second one would end the program.
-    EXPECT_EQ(std::signal(SIGINT, SIG_IGN), SIG_DFL);
+    EXPECT_EQ(std::signal(SIGINT, SIG_DFL), SIG_DFL);
   }
   EXPECT_EQ(std::signal(SIGTERM, SIG_DFL), SIG_DFL);
+}
+
+TEST(Interruption, DoesNotWakeWhatWasIgnored)
+{
+  std::signal(SIGHUP, SIG_IGN); // as nohup does
+  {
+    const Interruption interruption;
+    std::raise(SIGHUP);
+    EXPECT_FALSE(interruption.requested(MPI_COMM_WORLD));
+  }
+  EXPECT_EQ(std::signal(SIGHUP, SIG_DFL), SIG_IGN);
 }
 } // namespace
 } // namespace ricochet

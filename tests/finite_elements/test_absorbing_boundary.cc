@@ -31,6 +31,19 @@ struct Block
       sum += at(force, node);
     return sum;
   }
+  double absorbed() const // up to now [J]
+  {
+    ExactSum kinetic, sum;
+    boundary.add_energies(motion(), lumped.mass, /*dt=*/0., kinetic, sum);
+    return sum.value();
+  }
+  /// Momentum from entry 0 on, angular momentum from entry 3 on.
+  Vector3 carried(const int first) const
+  {
+    std::array<ExactSum, 6> sums;
+    boundary.add_momenta(sums);
+    return {sums[first].value(), sums[first + 1].value(), sums[first + 2].value()};
+  }
 };
 
 TEST(AbsorbingBoundary, PullsBackWithTheImpedanceOfBothWaves)
@@ -50,7 +63,7 @@ TEST(AbsorbingBoundary, PullsBackWithTheImpedanceOfBothWaves)
     {
       EXPECT_EQ(at(block.force, node), Vector3(Vector3::Zero())) << "not on the face";
     }
-  EXPECT_NEAR(block.boundary.absorbed(), -dt * expected.dot(v), 1e-8 * block.boundary.absorbed());
+  EXPECT_NEAR(block.absorbed(), -dt * expected.dot(v), 1e-8 * block.absorbed());
 }
 
 TEST(AbsorbingBoundary, BooksTheMomentumThatItTakes)
@@ -62,7 +75,7 @@ TEST(AbsorbingBoundary, BooksTheMomentumThatItTakes)
   const double dt      = 0.5 * h / p_wave_speed(pmma());
   block.boundary.damp(block.motion(), dt, block.force);
   const Vector3 taken = dt * (before - block.sum_of_forces());
-  EXPECT_LT((block.boundary.carried_linear() - taken).norm(), 1e-13 * taken.norm());
+  EXPECT_LT((block.carried(0) - taken).norm(), 1e-13 * taken.norm());
   Vector3 moment = Vector3::Zero();
   for (int node = 0; node < block.mesh.n_owned_nodes(); ++node)
   {
@@ -71,7 +84,7 @@ TEST(AbsorbingBoundary, BooksTheMomentumThatItTakes)
       undamped[d] = std::sin(double(3 * node + d));
     moment += at(block.position, node).cross(dt * (undamped - at(block.force, node)));
   }
-  EXPECT_LT((block.boundary.carried_angular() - moment).norm(), 1e-13 * moment.norm());
+  EXPECT_LT((block.carried(3) - moment).norm(), 1e-13 * moment.norm());
 }
 
 TEST(AbsorbingBoundary, LosesInAStepWhatTheNodesLose)
@@ -91,7 +104,7 @@ TEST(AbsorbingBoundary, LosesInAStepWhatTheNodesLose)
   for (std::size_t i = 0; i < block.velocity.size(); ++i)
     block.velocity[i] += dt * block.force[i] * block.lumped.inverse[i];
   EXPECT_LT(kinetic(), before);
-  EXPECT_NEAR(before - kinetic(), block.boundary.absorbed(), 1e-12 * before);
+  EXPECT_NEAR(before - kinetic(), block.absorbed(), 1e-12 * before);
 }
 } // namespace
 } // namespace ricochet::tests

@@ -23,7 +23,6 @@ struct State
   std::vector<double> planes;
   std::vector<std::int64_t> keys;
   std::vector<double> rows; // two per key
-  std::array<double, 2> sums{0., 0.};
 
   explicit State(const MPI_Comm communicator)
   {
@@ -48,7 +47,6 @@ struct State
       rows[2 * i]     = static_cast<double>(keys[i]);
       rows[2 * i + 1] = std::sqrt(static_cast<double>(keys[i]));
     }
-    sums = {1., 0.5 * rank()};
   }
 
   void exchange(StateArchive &archive)
@@ -60,7 +58,6 @@ struct State
     archive.common("list", list);
     archive.planes("planes", planes.data(), 3 * sizeof(double), share);
     archive.rows("rows", keys, rows, 2);
-    archive.by_rank("sums", sums.data(), 2);
   }
 };
 
@@ -98,11 +95,10 @@ TEST(CheckpointFile, GivesBackWhatWasPutIntoIt)
   State state(MPI_COMM_WORLD);
   state.exchange(archive);
   expect_restored(state);
-  EXPECT_EQ(state.sums, (std::array<double, 2>{1., 0.5 * rank()}));
   EXPECT_FALSE(std::filesystem::exists(path.string() + ".tmp"));
 }
 
-TEST(CheckpointFile, OnOneRankHasTheSums)
+TEST(CheckpointFile, GivesBackAllOnOneRank)
 {
   const ScratchDirectory folder;
   const auto path = folder.path() / "step_1";
@@ -111,8 +107,6 @@ TEST(CheckpointFile, OnOneRankHasTheSums)
   State state(MPI_COMM_SELF);
   state.exchange(archive);
   expect_restored(state);
-  EXPECT_EQ(state.sums[0], n_ranks());
-  EXPECT_EQ(state.sums[1], 0.25 * n_ranks() * (n_ranks() - 1));
 }
 
 TEST(CheckpointFile, TakesWhatStateSizeSays)
@@ -121,8 +115,8 @@ TEST(CheckpointFile, TakesWhatStateSizeSays)
   state.fill();
   StateSize size(MPI_COMM_WORLD);
   state.exchange(size);
-  // A number and a vector, a text, two floats; planes, rows with their keys, two sums per rank.
-  EXPECT_EQ(size.bytes(), 8 + 24 + 9 + 8 + 10 * 3 * 8 + 20 * (8 + 2 * 8) + n_ranks() * 2 * 8);
+  // A number and a vector, a text, two floats; planes, rows with their keys.
+  EXPECT_EQ(size.bytes(), 8 + 24 + 9 + 8 + 10 * 3 * 8 + 20 * (8 + 2 * 8));
 }
 
 TEST(CheckpointFile, OnAFullDiskThrowsAndKeepsTheOneBefore)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ricochet/output/folder_lock.h"
 #include "ricochet/output/result_directory.h"
 
 #include "support/scratch_directory.h"
@@ -133,6 +134,30 @@ TEST(ResultDirectory, WithoutSpaceIsRefused)
   const std::string message = message_of(
       [&] { prepare_result_directory(MPI_COMM_WORLD, scratch.path(), /*force=*/false); });
   EXPECT_TRUE(contains(message, scratch.path().string())) << message;
+}
+
+TEST(ResultDirectory, BelongsToOneProcessAtATime)
+{
+  const ScratchDirectory scratch;
+  const fs::path folder = scratch.path() / "run";
+  prepare_result_directory(MPI_COMM_WORLD, folder, /*force=*/false);
+  touch(folder / "history.csv");
+  const auto refusal = [&] { return message_of([&] { FolderLock(MPI_COMM_WORLD, folder); }); };
+  {
+    const FolderLock lock(MPI_COMM_WORLD, folder);
+    EXPECT_TRUE(contains(refusal(), "Another ricochet process")) << refusal();
+    EXPECT_TRUE(contains(refusal(), folder.string())) << refusal();
+    const auto message =
+        message_of([&] { prepare_result_directory(MPI_COMM_WORLD, folder, /*force=*/true); });
+    EXPECT_TRUE(contains(message, "Another ricochet process")) << message;
+    EXPECT_TRUE(fs::exists(folder / "history.csv"));
+  }
+  EXPECT_NO_THROW(FolderLock(MPI_COMM_WORLD, folder));
+  prepare_result_directory(MPI_COMM_WORLD, folder, /*force=*/true);
+  EXPECT_FALSE(fs::exists(folder / "history.csv"));
+  // A folder that is not ours is left alone.
+  EXPECT_NO_THROW(FolderLock(MPI_COMM_WORLD, scratch.path()));
+  EXPECT_NO_THROW(FolderLock(MPI_COMM_WORLD, scratch.path() / "nowhere"));
 }
 } // namespace
 } // namespace ricochet

@@ -56,10 +56,19 @@ TEST(Programs, TellTheirExitStatusAndWhyTheyDidNotStart)
 {
   EXPECT_EQ(run_program("sh", {"-c", "echo words >&2; exit 7"}).status, 7);
   EXPECT_EQ(run_program("sh", {"-c", "echo words >&2; exit 7"}).text, "words\n");
-  EXPECT_EQ(run_program("sh", {"-c", "kill -9 $$"}).status, -1);
+  EXPECT_EQ(run_program("sh", {"-c", "kill -9 $$"}).status, ProgramResult::not_ended);
   const auto none = run_program("there_is_no_such_program", {});
   EXPECT_EQ(none.status, -1);
   EXPECT_TRUE(contains(none.text, "No such file")) << none.text;
+}
+
+TEST(Programs, AreEndedIfTheyDoNotEnd)
+{
+  const auto start  = std::chrono::steady_clock::now();
+  const auto result = run_program("sh", {"-c", "exec sleep 60"}, std::chrono::seconds(1));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  EXPECT_EQ(result.status, ProgramResult::not_ended);
+  EXPECT_TRUE(contains(result.text, "after 1 s")) << result.text;
 }
 
 TEST(Programs, DoNotSeeTheMarksOfAnMpiProcess)

@@ -19,4 +19,6 @@ constexpr int lists          = 1001;              // base/exchange.h
 constexpr int node_values    = 1002;              // of finite elements, to who sees them
 constexpr int node_sums      = 1003;              // and back
 constexpr int planes         = 1004;              // of a lattice that changes its rank
+constexpr int element_sums   = 1005;              // at nodes, to the nodes' owners
+constexpr int hanging_sums   = 1006;              // of hanging nodes, to their masters' owners
 } // namespace ricochet::mpi_tag

@@ -4,7 +4,7 @@
 // saved and not restored. The archive does not know what it holds; where and how it keeps it is
 // somebody else's affair (output/checkpoint_file.h).
 //
-// What is kept does not depend on the number of ranks, but for by_rank(). All functions are
+// What is kept does not depend on the number of ranks. All functions are
 // collective and throw FileError on all ranks alike.
 #pragma once
 
@@ -101,12 +101,6 @@ public:
     rows_of(prefix_ + name, keys, values, n_columns);
   }
 
-  /// Numbers whose sum over the ranks counts. On another number of ranks rank 0 gets that sum.
-  void by_rank(const std::string &name, double *const values, const std::size_t n)
-  {
-    by_rank_of(prefix_ + name, values, n);
-  }
-
 private:
   virtual void common_bytes(const std::string &name, char *values, std::size_t n) = 0;
   /// That are kept, in bytes; when restoring.
@@ -115,7 +109,6 @@ private:
                             const PlaneShare &share)                              = 0;
   virtual void rows_of(const std::string &name, const std::vector<std::int64_t> &keys,
                        std::vector<double> &values, std::size_t n_columns)        = 0;
-  virtual void by_rank_of(const std::string &name, double *values, std::size_t n) = 0;
 
   template <class Values>
   void common_of_any_size(const std::string &name, Values &values)

@@ -42,10 +42,6 @@ private:
   {
     add(keys.size() * sizeof(double) * (1 + n_columns));
   }
-  void by_rank_of(const std::string &, double *, const std::size_t n) override
-  {
-    add(n * sizeof(double));
-  }
 
   double own_ = 0.;
 };

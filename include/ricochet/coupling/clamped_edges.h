@@ -43,11 +43,16 @@ private:
     Vector3 reaction; // of the last add_forces() [N]
   };
 
+  struct HeldNode
+  {
+    int node; // owned
+    /// What it has been given so far: each keeps its own, as a sum over a rank's nodes would depend
+    /// on which these are.
+    Momenta impulse;
+  };
+
   bool holds(const Vector3 &reference) const;
   void find_points();
-  /// Calls visit(node, reaction) for all held nodes of this rank.
-  template <class Visitor>
-  void for_each_node(Visitor &&visit) const;
   /// Both halves; without what the mirror plane cancels.
   Vector3 whole(const Vector3 &linear) const;
 
@@ -57,8 +62,7 @@ private:
   ClampedSides sides_;
   double width_; // [m]
   std::vector<HeldPoint> held_points_;
-  std::vector<int> held_nodes_; // owned
+  std::vector<HeldNode> held_nodes_;
   PlaneSums<6> impulse_of_points_;
-  Momenta impulse_of_nodes_; // of this rank
 };
 } // namespace ricochet

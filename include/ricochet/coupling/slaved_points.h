@@ -58,6 +58,6 @@ private:
   std::array<std::ptrdiff_t, 3> stride_{}; // between points along x, y, z
   std::vector<Cell> cells_;
   NodeLinks links_;
-  std::vector<double> values_; // per linked node, workspace
+  std::vector<double> values_, beyond_; // per linked node, workspace
 };
 } // namespace ricochet

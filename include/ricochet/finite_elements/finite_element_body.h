@@ -53,7 +53,7 @@ public:
 
   /// Gives these elements their own tensors, with full quadrature; all others have the material's
   /// moduli, whatever was set before. Elements that are not active are left out. History stays; an
-  /// element that changes its Gauss points spreads it or takes the mean.
+  /// element that changes its Gauss points spreads it or takes the mean. Collective.
   void set_stiffness(const std::vector<ElementStiffness> &stiffness);
 
   /// From now on the shear stiffness relaxes as the material says, from no history, and
@@ -109,9 +109,8 @@ public:
   /// Of the owned nodes.
   void advance(double kick, double drift) override;
 
-  /// Ranks change them by rounding only.
   Energies energies(double dt) const override;
-  /// With what dashpots have carried off; likewise.
+  /// With what dashpots have carried off.
   Momenta momenta() const override;
 
   std::unique_ptr<Vibration> vibration() override;

@@ -18,7 +18,8 @@ public:
 
   /// Three values per node, from the owners' (as in HexMesh) into the order of `nodes`. Collective.
   void fetch(const std::vector<double> &values, std::vector<double> &seen);
-  /// The transpose: adds to the owners' values. Collective.
+  /// The transpose: adds to the owners' values what all ranks have together, the same on any number
+  /// of ranks as long as a node is seen by two at most. Collective.
   void add(const std::vector<double> &seen, std::vector<double> &values);
 
 private:
@@ -33,12 +34,18 @@ private:
     int rank;
     std::vector<int> nodes; // local numbers of owned nodes
     std::vector<double> values;
+    std::vector<int> sums; // numbers in summed_
   };
+
+  void number_sums();
 
   MPI_Comm communicator_ = MPI_COMM_NULL;
   int rank_              = 0;
   std::vector<int> own_; // local numbers of this rank's own nodes, in the run of this rank
   std::vector<Run> runs_;
-  std::vector<Lent> lent_; // to other ranks
+  std::vector<int> own_sums_;
+  std::vector<Lent> lent_;   // to other ranks
+  std::vector<int> summed_;  // owned nodes that any rank sees, ascending
+  std::vector<double> sums_; // at summed_, workspace
 };
 } // namespace ricochet

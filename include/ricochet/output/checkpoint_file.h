@@ -41,7 +41,6 @@ private:
                     const PlaneShare &share) override;
   void rows_of(const std::string &name, const std::vector<std::int64_t> &keys,
                std::vector<double> &values, std::size_t n_columns) override;
-  void by_rank_of(const std::string &name, double *values, std::size_t n) override;
 
   std::unique_ptr<Hdf5File> file_;
 };
@@ -67,7 +66,6 @@ private:
                     const PlaneShare &share) override;
   void rows_of(const std::string &name, const std::vector<std::int64_t> &keys,
                std::vector<double> &values, std::size_t n_columns) override;
-  void by_rank_of(const std::string &name, double *values, std::size_t n) override;
 
   std::filesystem::path folder_;
   std::unique_ptr<Files> files_;

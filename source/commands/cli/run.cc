@@ -53,8 +53,8 @@ int execute(const MPI_Comm communicator, const Options &options)
   const bool experiment = options.resumed.empty() && is_stability_file(options.scene.read());
   const auto summary = experiment ? run_stability(communicator, options.scene.read(), options.run)
                                   : results(communicator, options);
-  if (!options.run.quiet && rank_in(communicator) == 0)
-    std::cout << (experiment ? describe_stability : describe_run)(summary) << std::endl;
+  if (experiment && !options.run.quiet && rank_in(communicator) == 0)
+    std::cout << describe_stability(summary) << std::endl;
   return summary.value("interrupted", false) ? ended_by_user : 0;
 }
 } // namespace
