@@ -11,6 +11,7 @@ from read_table import read_csv
 from ricochet_results import Study, read_frames
 
 import numpy as np
+from matplotlib.ticker import LogLocator
 
 COLORS = [BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK]
 MARKS = "oD^vPXs"
@@ -31,10 +32,10 @@ def order_of(orders, group, quantity):
     for row in orders:
         if row["group"] == group and row["quantity"] == quantity:
             if row["order"] in ("-", ""):
-                return "no order"
+                return "order none"
             spread = "" if row["uncertainty"] in ("-", "") else f" ± {row.number('uncertainty'):.2g}"
             return f"order {row.number('order'):.2f}{spread}"
-    return "no order"
+    return "order none"
 
 
 def curves_of(rows):
@@ -64,8 +65,7 @@ def draw_errors(study, rows, orders):
                       if row.number(column) is not None and row["reference"] != "1"]
             if not points:
                 continue
-            color = COLORS[i % len(COLORS)]
-            panel.plot(*zip(*points), color=color, marker=MARKS[i % len(MARKS)], markersize=5, markeredgecolor="white",
+            panel.plot(*zip(*points), color=COLORS[i % len(COLORS)], linestyle=["-", "--", ":"][i // len(COLORS) % 3], marker=MARKS[i % len(MARKS)], markersize=5, markeredgecolor="white",
                        label=f"{shown}: {order_of(orders, group, quantity)}")
         for place, row in zip(x, chosen):
             if row["reference"] == "1":
@@ -74,6 +74,7 @@ def draw_errors(study, rows, orders):
                            transform=panel.get_xaxis_transform())
         panel.set_xscale("log")
         panel.set_yscale("log")
+        panel.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         panel.set_xticks(x, [f"{place:.3g}" for place in x])
         panel.minorticks_off()
         panel.yaxis.set_major_formatter(lambda value, _: f"{value:g}")

@@ -34,9 +34,8 @@ def outcome_of(case):
 def others(study, case, names):
     """What a case has besides these axes, to be read."""
     parts = []
-    scenes = {one.name.split("__")[0] for one in study}
-    if len(scenes) > 1:
-        parts.append(case.name.split("__")[0].replace("_", " "))
+    if len({one.scene for one in study}) > 1:
+        parts.append(case.scene.replace("_", " "))
     for axis in study.axes:
         if axis["name"] not in names:
             value = case.axes[axis["name"]]

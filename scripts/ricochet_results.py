@@ -232,10 +232,11 @@ class Run:
 
 
 class Case:
-    """A case of a study: name, label, status, values of the axes by the names of their columns, and its run."""
+    """A case of a study: name, label, scene, status, values of the axes by the names of their columns, and its run."""
 
     def __init__(self, directory, study, record):
         self.name, self.label, self.status = record["name"], record["label"], record["status"]
+        self.scene = record.get("scene", "")
         self.axes = dict(zip([axis["name"] for axis in study["axes"]], record["axes"]))
         self.run = Run(os.path.join(directory, self.name))
 
