@@ -115,10 +115,8 @@ def draw_map(study):
 
 def draw_bracket(axes, limit, color):
     """The band in which a limit lies."""
-    axes.axvspan(limit["low"], limit["high"], color=color, alpha=0.25, linewidth=0, zorder=0)
-    axes.text((limit["low"] + limit["high"]) / 2, 1.0,
-              f"{(limit['low'] + limit['high']) / 2:.4g} ± {(limit['high'] - limit['low']) / 2:.2g}", ha="center",
-              va="bottom", size=7.5, color=color, transform=axes.get_xaxis_transform())
+    axes.axvspan(limit["low"], limit["high"], color=color, alpha=0.25, linewidth=0, zorder=0,
+                 label=f"limit {(limit['low'] + limit['high']) / 2:.4g} ± {(limit['high'] - limit['low']) / 2:.2g}")
 
 
 def draw_residual(study):
