@@ -18,13 +18,13 @@ std::filesystem::path this_program();
 /// What becomes of the jobs, which are known by their numbers from 0.
 struct JobListener
 {
-  std::function<void(std::size_t)> started;
+  std::function<void(std::size_t)> started; // just before it is
   /// A whole line of its output or of its errors, without the line's end.
   std::function<void(std::size_t, const std::string &)> line;
   /// Its exit status; minus the number of a signal; or, if it could not be started, -1000.
   std::function<void(std::size_t, int)> ended;
 };
-constexpr int not_started = -1000;
+constexpr int not_started = -1000; // stands for the exit status of what could not be started
 
 /**
  * Runs the jobs in their order, at most n_at_once at a time, and returns when all have ended. Their

@@ -67,9 +67,11 @@ struct StudyLimit
 {
   std::size_t axis;   // of the study, its last; has both ends of the range as its first values
   std::size_t column; // of the study's axis_columns
-  double low, high;   // ends of the range, in the unit of that column
+  double low;         // lower end of the range, in the unit of that column
+  double high;        // upper end
   double tolerance;   // of the bracket's width, in that unit
-  std::string below, above; // outcomes at the low and the high end; "other": all but the other one
+  std::string below;  // outcome at the low end; "other": all but the one at the other end
+  std::string above;  // at the high end, likewise
 };
 
 /// One run.
@@ -96,14 +98,14 @@ struct StudyParameters
   std::vector<StudyAxis> axes;           // at most 20
   std::vector<StudyColumn> axis_columns; // one per axis, or per entry with values of its own
   Combination combination;               // how the axes' values make cases
-  StudyKind kind;
-  std::optional<StudyLimit> limit;    // to be searched for
-  std::size_t finest;                 // of a study of convergence: value of the first axis that
-                                      // the others are compared with
-  std::vector<ParameterEntry> shared; // entries that all cases share
-  std::string directory_origin;       // of the output directory
-  bool pictures;                      // draw a comparison at the end
-  bool report;                        // write report.html at the end
+  StudyKind kind;                        // what it is for
+  std::optional<StudyLimit> limit;       // to be searched for
+  std::size_t finest;                    // of a study of convergence: value of the first axis that
+                                         // the others are compared with
+  std::vector<ParameterEntry> shared;    // entries that all cases share
+  std::string directory_origin;          // of the output directory
+  bool pictures;                         // draw a comparison at the end
+  bool report;                           // write report.html at the end
   std::string reference; // the scene that the others are compared with, as in StudyCase; or ""
   /// Scene by scene, the last axis changes fastest; one at a time: the scene itself, then axis by
   /// axis. With a reference the scenes change fastest: what is compared runs one after the other,
