@@ -24,6 +24,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLoca
 STYLES = [(BLACK, "s"), (BLUE, "o"), (VERMILION, "D"), (GREEN, "^"), (ORANGE, "v"), (PURPLE, "P"), (SKY, "X"),
           (GREY, "*")]
 BAND = "#E4E4E4"
+FRONT = "#9A9A9A"
 LEAST = 0.04  # errors below this are no matter of interest [%]
 WANTED = 2.0  # what a zone may add to the path of peridynamics throughout [%]
 SHARES = {1: "1"} | {1 / share: f"1/{share}" for share in (2, 3, 5, 10, 20, 50, 100)}
@@ -105,6 +106,7 @@ def draw_cost(axes, rows, styles, limits, costs):
     if compared:
         latest = max(compared, key=lambda row: row.number("compared_at_us"))
         axes.axhspan(limits[0], latest.number("reference_scatter_percent"), color=BAND, linewidth=0, zorder=0)
+    draw_front(axes, rows, limits, costs)
     for row in rows:
         color, mark = styles[row["scene"]]
         cost = row.number("core_seconds")
@@ -134,6 +136,27 @@ def draw_cost(axes, rows, styles, limits, costs):
             shares.spines["top"].set_visible(True)
             for share in shown:
                 axes.axvline(share * cost, color="#D5D5D5", linewidth=0.6, linestyle=":", zorder=0.5)
+
+
+def front_of(rows):
+    """Those than which none is both cheaper and better, from the cheapest: cost and error."""
+    points = sorted((row.number("core_seconds"), row.number("path_error_percent")) for row in rows if not is_reference(row)
+                    and row.number("core_seconds") is not None and row.number("path_error_percent") is not None)
+    front = []
+    for cost, error in points:
+        if not front or error < front[-1][1]:
+            front.append((cost, error))
+    return front
+
+
+def draw_front(axes, rows, limits, costs):
+    """The Pareto front as steps: what is above and to the right of it costs more for no better a result."""
+    front = front_of(rows)
+    if len(front) < 2:
+        return
+    x = [front[0][0]] + [cost for cost, _ in front] + [costs[1]]
+    y = [limits[1]] + [max(limits[0], error) for _, error in front] + [max(limits[0], front[-1][1])]
+    axes.step(x, y, where="post", color=FRONT, linewidth=1.1, zorder=1.6)
 
 
 def draw_time(axes, rows, paths, styles, limits):
@@ -175,6 +198,9 @@ def legend_of(rows, labels, styles, numbers):
     if most > 1:
         handles.append(Line2D([], [], color="#555555", linewidth=1))
         texts.append(f"from the best to the worst of {most} single runs")
+    if any(len(front_of([row for row in rows if row["group"] == group])) > 1 for group in {row["group"] for row in rows}):
+        handles.append(Line2D([], [], color=FRONT, linewidth=1.1))
+        texts.append("Pareto front: none is both cheaper and better")
     handles += [Patch(color=BAND), Line2D([], [], color="#555555", linewidth=0.9, linestyle=(0, (5, 3)))]
     texts += ["where single runs of the reference lie themselves", f"{WANTED:g} %"]
     return handles, texts
@@ -192,7 +218,7 @@ def draw(directory):
     n_columns = 3 if len(groups) % 3 == 0 and len(groups) % 2 else 2
     n_rows = max(1, -(-len(groups) // n_columns))
     legend_columns = 2 if n_columns == 2 else 3
-    legend_height = 0.19 * -(-(3 + len(styles)) // legend_columns)
+    legend_height = 0.19 * -(-(4 + len(styles)) // legend_columns)
     width, panel, top = (8.2, 3.3, 0.78) if n_columns == 2 else (9.6, 2.5, 0.78)
     if len(groups) > 1:
         top, panel = top + 0.15, 2.5

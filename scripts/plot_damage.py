@@ -5,7 +5,7 @@ import os
 
 # First, because they say what to install if it is missing.
 from plot_style import close_box, plt, save, ticks, write_title
-from read_run import read_damage, read_summary, title_of
+from ricochet_results import read_damage, read_summary, title_of
 
 import numpy as np
 from matplotlib.colors import LinearSegmentedColormap

@@ -6,7 +6,7 @@ import os
 # First, because they say what to install if it is missing.
 from plot_reference import overlay
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, plt, save, ticks, write_title
-from read_run import title_of
+from ricochet_results import title_of
 
 import numpy as np
 

@@ -5,7 +5,7 @@ import os
 
 # First, because they say what to install if it is missing.
 from plot_style import BLACK, GREY, plt, save, ticks, write_title
-from read_run import read_summary
+from ricochet_results import read_summary
 
 SYMBOLS = {"us": "µs", "deg": "°", "-": "–"}
 

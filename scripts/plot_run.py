@@ -16,7 +16,7 @@ from plot_history import draw_history
 from plot_reference import draw_reference
 from plot_section import draw_section
 from plot_style import BLUE, STYLE, asks_for_help, fail, plt
-from read_run import read_history, read_summary, title_of
+from ricochet_results import read_history, read_summary, title_of
 
 
 def draw_data(directory, history):

@@ -5,7 +5,7 @@ import os
 
 # First, because they say what to install if it is missing.
 from plot_style import BLUE, close_box, plt, save, ticks, write_title
-from read_run import read_frames, stated_times, title_of
+from ricochet_results import read_frames, stated_times, title_of
 from plot_damage import DAMAGE, draw_damage_bar
 
 import numpy as np

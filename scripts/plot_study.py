@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draw comparison.png from the runs of a ricochet study: the paths of all cases in one diagram, and of each the
 section at its end with what came out; eight cases a page, the others in comparison_2.png and so on. With data of
-others also reference.png.
+others also reference.png; with two axes of numbers map.png; with an axis of speeds residual.png; of a study of
+convergence convergence.png and convergence_damage.png.
 
     plot_study.py STUDY_DIRECTORY
 
@@ -13,12 +14,14 @@ Reads study.csv and study.json of that folder and the results in the folders of 
 import os
 import sys
 
+from plot_convergence import draw_convergence
 from plot_damage import draw_damage_bar
+from plot_map import draw_maps
 from plot_reference import columns_of, draw_reference
 from plot_section import draw_frame, sizes_of, window
 from plot_style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILION
 from plot_style import asks_for_help, close_box, fail, plain, plt, save, ticks
-from read_run import read_frames, read_history, read_study, read_summary
+from ricochet_results import read_frames, read_history, read_study, read_summary
 from read_table import read_csv
 
 # Dashes tell the cases too.
@@ -184,7 +187,7 @@ def draw(directory):
     runs = [(case.history, case.summary, case.label, COLORS[i % MOST], DASHES[i // MOST % len(DASHES)])
             for i, case in enumerate(cases)]
     compared = draw_reference(directory, runs, study_title(directory), "against data of others")
-    return targets + ([compared] if compared else [])
+    return targets + ([compared] if compared else []) + draw_maps(directory) + draw_convergence(directory)
 
 
 def main(arguments):

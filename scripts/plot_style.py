@@ -20,6 +20,9 @@ except ImportError as error:
 BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
 BLUE, VERMILION, PURPLE, GREY = "#0072B2", "#D55E00", "#CC79A7", "#777777"
 
+# As the reports have them.
+OUTCOMES = {"ricochet": BLUE, "perforate": VERMILION, "edge": PURPLE, "pushed": GREEN, "stuck": ORANGE}
+
 STYLE = {
     "font.family": "DejaVu Sans",
     "font.size": 9,
@@ -65,11 +68,21 @@ def close_box(axes):
         axes.spines[side].set_visible(True)
 
 
+def further_formats():
+    """What the environment asks for beside PNG, as RICOCHET_PICTURE_FORMATS=svg,pdf."""
+    asked = os.environ.get("RICOCHET_PICTURE_FORMATS", "").replace(",", " ").split()
+    wrong = [name for name in asked if name not in ("png", "svg", "pdf")]
+    if wrong:
+        raise ValueError(f"RICOCHET_PICTURE_FORMATS has '{wrong[0]}'; formats are png, svg and pdf")
+    return [name for name in asked if name != "png"]
+
+
 def save(figure, path):
-    """Write under a temporary name first: an older picture survives a full disk."""
-    temporary = path + ".tmp"
-    figure.savefig(temporary, format="png")
-    os.replace(temporary, path)
+    """Write under a temporary name first: an older picture survives a full disk. In other formats too, if asked for."""
+    for name in ["png"] + further_formats():
+        target = os.path.splitext(path)[0] + "." + name
+        figure.savefig(target + ".tmp", format=name)
+        os.replace(target + ".tmp", target)
     plt.close(figure)
 
 

@@ -171,9 +171,34 @@ def pictures(directory):
     """All that are there."""
     pages = sorted(glob.glob(os.path.join(directory, "comparison*.png")),
                    key=lambda path: (len(os.path.basename(path)), path))
-    return "".join([picture(directory, "map.png", "Map"), picture(directory, "accuracy.png", "Accuracy against cost"),
-                    picture(directory, "convergence.png", "Convergence"),
+    return "".join([picture(directory, "map.png", "Map: outcome, and exit speed in m/s"),
+                    picture(directory, "residual.png", "Exit speed over impact speed"),
+                    picture(directory, "accuracy.png", "Accuracy against cost"),
                     *(picture(directory, os.path.basename(page), "Paths and sections of the cases") for page in pages)])
+
+
+def limits(study):
+    """What a search has found, with its bracket."""
+    rows = [[text(one["group"] or "all"),
+             f"{number((one['low'] + one['high']) / 2)} ± {number((one['high'] - one['low']) / 2, 2)} {text(one['unit'])}"
+             if one["is_found"] else text(one["status"]),
+             f"{chip(one['low_outcome'])} at {number(one['low'])}, {chip(one['high_outcome'])} at {number(one['high'])} "
+             f"{text(one['unit'])}", number(one["runs"])] for one in study.get("limits", [])]
+    label = text(study["limits"][0]["label"]) if rows else ""
+    return table(["", label, "bracket", "runs"], rows, "words") if rows else ""
+
+
+def convergence(directory):
+    """Pictures and tables of a study of convergence."""
+    return "".join([picture(directory, "convergence.png", "Errors against the reference, and observed orders"),
+                    picture(directory, "convergence_damage.png", "Damage on all grids at the same times"),
+                    plain_table(directory, "convergence_orders.csv"), plain_table(directory, "convergence.csv")])
+
+
+def sentences(directory):
+    """What comparison.txt says."""
+    lines = [line for line in read_text(os.path.join(directory, "comparison.txt")).splitlines() if line]
+    return "<ul>" + "".join(f"<li>{text(line)}</li>" for line in lines) + "</ul>" if lines else ""
 
 
 def page(directory, packed):
@@ -189,7 +214,9 @@ def page(directory, packed):
             f'<p class="origin">ricochet {text(study.get("version", ""))}</p></header>', warnings(cases),
             section("Cases", cases_table(directory, study, cases), "Click on a head to sort."),
             section_of_charts(charts(study, cases), picture(directory, "reference.png", "Against data of others"), packed),
-            section("Comparison with the reference", plain_table(directory, "comparison.csv")),
+            section("Limits", limits(study), "Found by bisection: every step is a case above."),
+            section("Convergence", convergence(directory)),
+            section("Comparison with the reference", sentences(directory) + plain_table(directory, "comparison.csv")),
             section("Pictures", pictures(directory)),
             section("How it was made", table([], rows, "words") + folded(
                 "The study's file", f"<pre>{text(used)}</pre>" if used else ""))]

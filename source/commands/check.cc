@@ -10,8 +10,7 @@
 #include "ricochet/simulation/interface_report.h"
 #include "ricochet/simulation/plate_size.h"
 #include "ricochet/simulation/simulation.h"
-
-#include <sys/resource.h>
+#include "run_price.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,15 +23,6 @@ namespace ricochet
 namespace
 {
 using namespace units;
-
-double memory_of_all_ranks(const MPI_Comm communicator)
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  double bytes = 1024. * usage.ru_maxrss;
-  MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_SUM, communicator);
-  return bytes;
-}
 
 std::string in_time_units(const double time)
 {
@@ -144,21 +134,20 @@ double size_of_state(const MPI_Comm communicator, Simulation &simulation)
 /// Sums over all ranks.
 struct Cost
 {
-  double points, bonds, memory; // of whole plates; in bytes
-  double checkpoint;            // [bytes]
+  double points, bonds; // of whole plates
+  RunPrice price;
+  double checkpoint; // [bytes]
   int n_ranks;
 };
 
 void print_cost(const Simulation &simulation, const Cost &cost)
 {
-  const auto &time     = simulation.scene().time;
-  const auto info      = simulation.time_step_info();
-  const double steps   = std::ceil(time.end_time / simulation.dt());
-  const double seconds = steps * info.seconds_per_step;
-  const char *ranks    = cost.n_ranks == 1 ? "rank" : "ranks";
+  const auto &time  = simulation.scene().time;
+  const auto info   = simulation.time_step_info();
+  const char *ranks = cost.n_ranks == 1 ? "rank" : "ranks";
   std::printf("size           %.0f points, %.4g M bonds%s\n", cost.points, cost.bonds / 1e6,
               simulation.scene().symmetric ? ", half of them computed" : "");
-  std::printf("memory         %.3g GB on %d %s\n", cost.memory / 1e9, cost.n_ranks, ranks);
+  std::printf("memory         %.3g GB on %d %s\n", cost.price.memory / 1e9, cost.n_ranks, ranks);
   const auto &output = simulation.scene().output;
   if (output.checkpoint_interval > 0. || output.checkpoint_wall_interval > 0.)
     std::printf("checkpoint     %.3g MB each, two are kept\n", cost.checkpoint / 1e6);
@@ -170,14 +159,13 @@ void print_cost(const Simulation &simulation, const Cost &cost)
     std::printf("  limited by   the projectile; the plates alone would allow %.4g us: a rigid "
                 "projectile takes %.1f times fewer steps\n",
                 info.plates_dt / us, info.plates_dt / info.projectile_dt);
-  std::printf("steps          at most %.0f to %.4g us%s\n", steps, time.end_time / us,
+  std::printf("steps          at most %.0f to %.4g us%s\n", cost.price.steps, time.end_time / us,
               time.stop_early ? "; ends when the outcome is decided" : "");
   std::printf("speed          %.0f M directed bonds/s on %d %s (%s)\n",
               2e-6 * simulation.computed_share() * cost.bonds / info.seconds_per_step, cost.n_ranks,
               ranks, simulation.plates()[0]->kernel().instruction_set);
-  // Debris contact and output: runs of prm/single_plate take 1.5 to 2.5 times their bond forces.
   std::printf("time           %.0f s for the bonds, about %.0f s with debris contact and output\n",
-              seconds, 2. * seconds);
+              cost.price.bond_seconds, cost.price.seconds);
 }
 
 const char *verdict(const bool good)
@@ -215,7 +203,7 @@ bool check_scene(const MPI_Comm communicator, const ParameterFile &file,
     interfaces = interface_reports(communicator, simulation);
   const bool good = std::all_of(interfaces.begin(), interfaces.end(),
                                 [](const InterfaceReport &report) { return report.good(); });
-  const Cost cost{simulation.n_points(), simulation.n_bonds(), memory_of_all_ranks(communicator),
+  const Cost cost{simulation.n_points(), simulation.n_bonds(), price_of(communicator, simulation),
                   size_of_state(communicator, simulation), size_of(communicator)};
   if (rank_in(communicator) != 0)
     return good;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "comparison.h"
 
+#include "cost_advice.h"
 #include "ricochet/base/number_text.h"
 #include "ricochet/output/table.h"
 
@@ -121,6 +122,7 @@ Comparison compare_scenes(const StudyParameters &study, const std::vector<Json> 
                "path_error_low_percent", "path_error_high_percent", "reference_scatter_percent"});
   Table text({"case", "runs", "path at", "path error %", "scatter %", "exit speed m/s",
               "speed error %", "core-seconds", "of reference", "outcomes"});
+  std::vector<ComparedScene> compared;
   for (const auto &group : groups)
   {
     const auto named = [&](const std::string &scene)
@@ -141,8 +143,9 @@ Comparison compare_scenes(const StudyParameters &study, const std::vector<Json> 
     for (const auto &e : path_errors(group.runs, reference))
       paths.add({name, e.stated_time, e.path, percent(e.error), percent(e.low), percent(e.high),
                  percent(e.scatter)});
+    compared.push_back({group.scene, group.title, group.scene == study.reference, row});
     text.add(line(name, row, group.scene == study.reference, group.n_planned));
   }
-  return {values.csv(), paths.csv(), text.text()};
+  return {values.csv(), paths.csv(), text.text(), cost_advice(compared)};
 }
 } // namespace ricochet

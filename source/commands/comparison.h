@@ -9,9 +9,10 @@ namespace ricochet
 {
 struct Comparison
 {
-  std::string csv;   // comparison.csv: one row per ensemble
-  std::string paths; // comparison_paths.csv: one row per ensemble and stated time
-  std::string text;  // for the eye
+  std::string csv;    // comparison.csv: one row per ensemble
+  std::string paths;  // comparison_paths.csv: one row per ensemble and stated time
+  std::string text;   // for the eye
+  std::string advice; // accuracy against cost, in sentences
 };
 
 /// Compares every scene of the study with its reference; summaries[i] is that of case i. What is

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "reference_comparison.h"
 
-#include "ricochet/base/exceptions.h"
+#include "history_rows.h"
 #include "ricochet/base/number_text.h"
 #include "ricochet/scene/text_tools.h"
 
@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <map>
 
 namespace ricochet
 {
@@ -21,52 +19,13 @@ using Json = nlohmann::ordered_json;
 // Data with more times are a curve, whose single errors would fill a table [-].
 constexpr std::size_t most_times = 8;
 
-using Rows = std::map<std::string, std::vector<double>>;
-
-/// The columns of history.csv by their names, and the path.
-Rows read_rows(const std::filesystem::path &path)
-{
-  std::ifstream in(path);
-  std::string line;
-  if (!std::getline(in, line))
-    throw FileError("The history " + path.string() + " cannot be read.");
-  std::vector<std::string> names;
-  for (const auto &head : split(line, ','))
-    names.push_back(head.substr(0, head.find(" [")));
-  Rows rows;
-  while (std::getline(in, line))
-    if (const auto cells = split(line, ','); cells.size() == names.size())
-      for (std::size_t i = 0; i < cells.size(); ++i)
-        rows[names[i]].push_back(std::strtod(cells[i].c_str(), nullptr));
-  auto &path_length = rows[path_column];
-  const auto &x = rows["x"], &y = rows["y"], &z = rows["z"];
-  for (std::size_t i = 0; i < x.size(); ++i)
-    path_length.push_back(i == 0 ? 0.
-                                 : path_length[i - 1] + std::hypot(x[i] - x[i - 1], y[i] - y[i - 1],
-                                                                   z[i] - z[i - 1]));
-  return rows;
-}
-
-/// Null outside of the history.
-Json interpolated(const std::vector<double> &times, const std::vector<double> &values,
-                  const double time)
-{
-  if (times.empty() || values.size() != times.size() || time < times.front() || time > times.back())
-    return nullptr;
-  const auto next = std::lower_bound(times.begin(), times.end(), time) - times.begin();
-  if (next == 0 || times[next] == time)
-    return values[next];
-  const double share = (time - times[next - 1]) / (times[next] - times[next - 1]);
-  return values[next - 1] + share * (values[next] - values[next - 1]);
-}
-
 Json or_null(const std::optional<double> &value)
 {
   return value ? Json(*value) : Json();
 }
 
 Json compare_column(const ReferenceData &data, const ReferenceData::Column &column,
-                    const Rows &rows)
+                    const HistoryRows &rows)
 {
   Json points = Json::array();
   double sum  = 0.;
@@ -74,7 +33,8 @@ Json compare_column(const ReferenceData &data, const ReferenceData::Column &colu
   for (std::size_t i = 0; i < data.times.size(); ++i)
     if (const auto wanted = column.values[i])
     {
-      const Json found   = interpolated(rows.at("time"), rows.at(column.name), data.times[i]);
+      const Json found =
+          or_null(interpolated(rows.at("time"), rows.at(column.name), data.times[i]));
       const double apart = found.is_null() ? 0. : found.get<double>() - *wanted;
       sum += apart * apart;
       n += !found.is_null();
@@ -112,8 +72,8 @@ std::string signed_percent(const Json &share)
 
 Json compare_with_data(const std::filesystem::path &directory, const ReferenceData &data)
 {
-  const Rows rows = read_rows(directory / "history.csv");
-  Json columns    = Json::array();
+  const HistoryRows rows = read_history_rows(directory / "history.csv");
+  Json columns           = Json::array();
   for (const auto &column : data.columns)
     columns.push_back(compare_column(data, column, rows));
   return {{"file", data.path}, {"source", data.source}, {"columns", columns}};

@@ -5,6 +5,7 @@
 #include "reference_comparison.h"
 #include "result_folder.h"
 #include "resume.h"
+#include "ricochet/base/exceptions.h"
 #include "ricochet/base/mpi_tools.h"
 #include "ricochet/base/number_text.h"
 #include "ricochet/base/units.h"
@@ -32,6 +33,14 @@ void tell_sizes(const Scene &scene)
                   i + 1, size_text(sizes[i].computed).c_str(), size_text(sizes[i].asked).c_str(),
                   scene.zone.has_elements() ? " and of the largest elements" : "");
   std::fflush(stdout);
+}
+
+void draw_and_report(const MPI_Comm communicator, const Scene &scene, const RunOptions &options)
+{
+  if (scene.output.pictures)
+    draw_pictures(communicator, scene.output.directory, options.quiet);
+  if (scene.output.report)
+    write_report(communicator, scene.output.directory, options.quiet);
 }
 
 std::unique_ptr<Simulation> build(const MPI_Comm communicator, const Scene &scene)
@@ -74,16 +83,22 @@ nlohmann::ordered_json run(const MPI_Comm communicator, const ParameterFile &fil
                   with_decimals(simulation.time() / units::us, 2).c_str(), simulation.step(),
                   resumed->path.c_str());
   }
-  auto summary = run(time_before);
-  // Before the pictures: mpirun gives a run that it ends a second or so.
-  if (speaks)
-    std::cout << describe_run(summary) << std::endl;
-  if (scene.output.pictures)
-    draw_pictures(communicator, scene.output.directory, options.quiet);
-  if (scene.output.report)
-    write_report(communicator, scene.output.directory, options.quiet);
-  return summary;
+  try
+  {
+    auto summary = run(time_before);
+    // Before the pictures: mpirun gives a run that it ends a second or so.
+    if (speaks)
+      std::cout << describe_run(summary) << std::endl;
+    draw_and_report(communicator, scene, options);
+    return summary;
+  }
+  catch (const RunError &)
+  {
+    draw_and_report(communicator, scene, options); // of what led to it
+    throw;
+  }
 }
+
 /// A run that was stopped before its first checkpoint.
 nlohmann::ordered_json begin_anew(const MPI_Comm communicator,
                                   const std::filesystem::path &directory,

@@ -3,17 +3,20 @@
 #pragma once
 
 #include <mpi.h>
+
 #include <string>
 
 namespace ricochet
 {
 struct StudyOptions
 {
-  bool resume  = false; // go on in an existing results folder: finished cases are not run again
-  bool quiet   = false; // no progress of the single runs
-  bool list    = false; // say what the cases are and which are finished, run nothing
-  bool collect = false; // table, pictures and report of what is finished, run nothing
-  int only     = 0;     // number of the only case to run, from 1; 0: all. Without table and report
+  bool resume      = false; // go on in an existing results folder: finished cases are not run again
+  bool quiet       = false; // no progress of the single runs
+  bool list        = false; // say what the cases are and which are finished, run nothing
+  bool collect     = false; // table, pictures and report of what is finished, run nothing
+  bool dry_run     = false; // what every case will cost, run nothing
+  std::string only = ""; // number, from 1, or name of the only case to run; "": all. Without table
+  int n_jobs       = 1;  // cases at a time, each in a process of its own
 };
 
 struct StudyEnd
@@ -28,6 +31,9 @@ struct StudyEnd
  * that fails is kept in the table with its reason and does not stop the others. A finished case is
  * one whose summary says so and whose parameters are those of now. With a reference, comparison.csv
  * and comparison_paths.csv follow (comparison.h), and accuracy.png.
+ *
+ * With a limit the study grows: bisection adds cases until the bracket is as narrow as asked for;
+ * limits.csv has it. What is finished counts as in any study.
  *
  * A finished case is run again, and said why, if its summary is of another version, of other
  * parameters or changed. SIGINT and SIGTERM end the study after the present step.

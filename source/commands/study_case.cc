@@ -55,7 +55,46 @@ std::string reason_against(const Json &summary, const std::string &parameters,
   return "";
 }
 
+std::filesystem::path status_file(const std::filesystem::path &study_directory,
+                                  const std::string &name)
+{
+  return lock_of(study_directory, name).string() + ".status";
+}
 } // namespace
+
+bool has_failed(const std::string &status)
+{
+  return status.rfind("failed", 0) == 0;
+}
+
+std::filesystem::path lock_of(const std::filesystem::path &study_directory, const std::string &name)
+{
+  return study_directory / ".locks" / name;
+}
+
+void leave_status(const std::filesystem::path &study_directory, const std::string &name,
+                  const std::string &status)
+{
+  write_file(status_file(study_directory, name), status);
+}
+
+std::string left_status(const std::filesystem::path &study_directory, const std::string &name)
+{
+  return read_text(status_file(study_directory, name));
+}
+
+void forget_status(const std::filesystem::path &study_directory, const std::string &name)
+{
+  std::error_code ignored; // there may be none
+  std::filesystem::remove(status_file(study_directory, name), ignored);
+}
+
+Json summary_in(const std::filesystem::path &directory)
+{
+  Json summary = Json::parse(read_text(directory / "summary.json"), nullptr,
+                             /*allow_exceptions=*/false);
+  return summary.is_object() ? summary : Json();
+}
 
 Earlier earlier_run(const MPI_Comm communicator, const ParameterFile &file,
                     const std::filesystem::path &directory)

@@ -2,7 +2,7 @@
 // A case of a study on disk: what an earlier run has left, and that one process runs it at a time.
 #pragma once
 
-#include "ricochet/scene/parameter_file.h"
+#include "ricochet/scene/study_file.h"
 
 #include <mpi.h>
 #include <nlohmann/json.hpp>
@@ -23,6 +23,27 @@ struct Earlier
 /// ranks, but for what stands in the summary, which the first one has. Collective.
 Earlier earlier_run(MPI_Comm communicator, const ParameterFile &file,
                     const std::filesystem::path &directory);
+
+/// How a case has ended, for the table.
+struct CaseEnd
+{
+  std::string status;             // "ok", "finished before", "failed: why", "interrupted", ...
+  nlohmann::ordered_json summary; // null: there is none
+};
+bool has_failed(const std::string &status);
+
+/// The status that a process of its own leaves behind for the one that has started it, or "".
+void leave_status(const std::filesystem::path &study_directory, const std::string &name,
+                  const std::string &status);
+std::string left_status(const std::filesystem::path &study_directory, const std::string &name);
+void forget_status(const std::filesystem::path &study_directory, const std::string &name);
+
+/// What a run has left, of whatever state; null if there is nothing. Of this rank.
+nlohmann::ordered_json summary_in(const std::filesystem::path &directory);
+
+/// The lock of a case.
+std::filesystem::path lock_of(const std::filesystem::path &study_directory,
+                              const std::string &name);
 
 /// Keeps other processes, also of other machines with the same files, from running a case as long
 /// as it lives; the system takes it away from a process that dies.

@@ -131,17 +131,14 @@ Json record_of(const StudyParameters &study, const Names &fields)
 
 StudyTable::StudyTable(const StudyParameters &study) :
   study_(study), plates_(study), is_map_(are_experiments(study)), fields_(chosen_fields(study)),
-  table_(columns_of(study, fields_, plates_, true)),
-  shown_(columns_of(study, fields_, plates_, false)), record_(record_of(study, fields_))
+  record_(record_of(study, fields_)), values_(study.cases.size())
 {
 }
 
-void StudyTable::add(const std::size_t number, const Json &summary, const std::string &status)
+void StudyTable::set(const std::size_t number, const Json &summary, const std::string &status)
 {
-  const StudyCase &one = study_.cases[number];
-  std::vector<Json> row{one.name}, values;
-  for (const auto &value : one.axis_values)
-    row.push_back(value_of(value));
+  auto &values = values_[number];
+  values.clear();
   for (const auto &field : fields_)
     values.push_back(field.rfind("reference_", 0) == 0 ? reference_value(summary, field)
                      : summary.is_object()             ? summary.value(field, Json())
@@ -149,10 +146,41 @@ void StudyTable::add(const std::size_t number, const Json &summary, const std::s
   for (auto &extent : plates_.row(number))
     values.push_back(std::move(extent));
   values.emplace_back(status);
-  row.insert(row.end(), values.begin(), values.end());
-  table_.add(row);
-  values.insert(values.begin(), one.label);
-  shown_.add(values);
   record_["cases"][number]["status"] = status;
+}
+
+std::string StudyTable::csv() const
+{
+  Table table(columns_of(study_, fields_, plates_, true));
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    if (!values_[i].empty())
+    {
+      std::vector<Json> row{study_.cases[i].name};
+      for (const auto &value : study_.cases[i].axis_values)
+        row.push_back(value_of(value));
+      row.insert(row.end(), values_[i].begin(), values_[i].end());
+      table.add(row);
+    }
+  return table.csv();
+}
+
+std::string StudyTable::text() const
+{
+  Table table(columns_of(study_, fields_, plates_, false));
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    if (!values_[i].empty())
+    {
+      std::vector<Json> row{study_.cases[i].label};
+      row.insert(row.end(), values_[i].begin(), values_[i].end());
+      table.add(row);
+    }
+  return table.text();
+}
+
+std::string StudyTable::json(const Json &more) const
+{
+  Json record = record_;
+  record.update(more);
+  return record.dump(2) + "\n";
 }
 } // namespace ricochet

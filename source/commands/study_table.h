@@ -21,14 +21,16 @@ public:
   /// grid would make another plate of one of a case.
   explicit StudyTable(const StudyParameters &study);
 
-  /// Of the case of that number, whose summary may be null. Cases come in their order.
-  void add(std::size_t number, const nlohmann::ordered_json &summary, const std::string &status);
+  /// The row of the case of that number, whose summary may be null; in any order, again too.
+  void set(std::size_t number, const nlohmann::ordered_json &summary, const std::string &status);
 
-  std::string csv() const { return table_.csv(); }
+  /// The rows that there are, in the order of the cases.
+  std::string csv() const;
   /// With labels instead of names and axes.
-  std::string text() const { return shown_.text(); }
-  /// study.json: title, axes, and of every case its name, label, axes' values and status.
-  std::string json() const { return record_.dump(2) + "\n"; }
+  std::string text() const;
+  /// study.json: title, axes, and of every case its name, label, axes' values and status. `more`:
+  /// further fields.
+  std::string json(const nlohmann::ordered_json &more) const;
 
   /// Whether all cases are stability experiments, whose table is a map.
   bool is_map() const { return is_map_; }
@@ -40,7 +42,7 @@ private:
   StudyPlates plates_;
   bool is_map_;
   std::vector<std::string> fields_; // of the summaries
-  Table table_, shown_;
   nlohmann::ordered_json record_;
+  std::vector<std::vector<nlohmann::ordered_json>> values_; // of each case; empty: no row yet
 };
 } // namespace ricochet

@@ -19,21 +19,6 @@ namespace ricochet
 {
 namespace
 {
-std::vector<char *> environment_without_mpi()
-{
-  std::vector<char *> variables;
-  for (char **variable = environ; *variable; ++variable)
-  {
-    bool keep = true;
-    for (const char *prefix : {"OMPI_", "PMIX_", "PMI_", "MPI_LOCALNRANKS", "H5PY_ALWAYS_USE_MPI"})
-      keep = keep && std::strncmp(*variable, prefix, std::strlen(prefix)) != 0;
-    if (keep)
-      variables.push_back(*variable);
-  }
-  variables.push_back(nullptr);
-  return variables;
-}
-
 /// Starts the program with its output into the pipe; 0, or the reason why not. posix_spawn and not
 /// fork, because a fork of a process with MPI's registered memory is not safe.
 int start(const std::string &program, std::vector<char *> arguments, const int pipe_end,
@@ -89,6 +74,21 @@ int wait_for(const pid_t child)
   return waited == child && WIFEXITED(status) ? WEXITSTATUS(status) : ProgramResult::not_ended;
 }
 } // namespace
+
+std::vector<char *> environment_without_mpi()
+{
+  std::vector<char *> variables;
+  for (char **variable = environ; *variable; ++variable)
+  {
+    bool keep = true;
+    for (const char *prefix : {"OMPI_", "PMIX_", "PMI_", "MPI_LOCALNRANKS", "H5PY_ALWAYS_USE_MPI"})
+      keep = keep && std::strncmp(*variable, prefix, std::strlen(prefix)) != 0;
+    if (keep)
+      variables.push_back(*variable);
+  }
+  variables.push_back(nullptr);
+  return variables;
+}
 
 std::filesystem::path script_folder(const std::filesystem::path &program)
 {

@@ -2,6 +2,8 @@
 // Where the scripts that draw pictures lie, and running them.
 #pragma once
 
+#include "ricochet/output/job_pool.h" // this_program()
+
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -17,8 +19,9 @@ namespace ricochet
  */
 std::filesystem::path script_folder(const std::filesystem::path &program);
 
-/// The program that this process runs.
-std::filesystem::path this_program();
+/// The variables of this process without the marks of MPI, ended by a null pointer: what is started
+/// with them is no part of this process's job.
+std::vector<char *> environment_without_mpi();
 
 struct ProgramResult
 {

@@ -113,7 +113,81 @@ std::pair<std::string, bool> common_unit(const std::vector<std::string> &values)
       return {"", false};
   return {first->unit, true};
 }
+/// What stands behind the ':'.
+std::string values_text(const Entry &entry)
+{
+  return squeezed(entry.text().substr(entry.text().find(':') + 1));
+}
+
+std::vector<ParameterEntry> entries_of(const Entry &entry)
+{
+  const std::string &text = entry.text();
+  const auto colon        = text.find(':');
+  if (colon == std::string::npos)
+    entry.fail("No ':' separates the entry from its values.", example);
+  std::vector<ParameterEntry> entries;
+  for (const auto &path : split(text.substr(0, colon), ','))
+  {
+    if (path.empty())
+      entry.fail("The name of an entry is missing.", example);
+    entries.push_back(parse_override(path + "=", origin_of(entry)));
+  }
+  return entries;
+}
+
+/// Which axis, and by how much its values are multiplied.
+struct Derivation
+{
+  std::size_t axis;
+  double factor;
+};
+
+Derivation derivation(const Entry &entry, const Entries &rows)
+{
+  const std::string text  = squeezed(values_text(entry).substr(1));
+  const auto sign         = text.find_first_of("*/");
+  const std::string front = squeezed(text.substr(0, sign)),
+                    back  = sign == std::string::npos ? "1" : squeezed(text.substr(sign + 1));
+  const bool divides      = sign != std::string::npos && text[sign] == '/';
+  for (std::size_t a = 0; a < rows.size(); ++a)
+    for (const auto &[name, other] : {std::make_pair(front, back), std::make_pair(back, front)})
+      if (const auto factor = parse_free_quantity(other);
+          name == rows[a]->name && factor && factor->unit.empty() && factor->number != 0. &&
+          !(divides && name == back))
+        return {a, divides ? 1. / factor->number : factor->number};
+  entry.fail(in_quotes(values_text(entry)) + " does not follow from an axis that has values.",
+             "Write '= 4 * Axis 1', '= Axis 1 / 2' or '= Axis 1', with a number and an axis of "
+             "this study that is not derived itself.");
+}
 } // namespace
+
+bool is_derived(const Entry &entry)
+{
+  const auto colon = entry.text().find(':');
+  return colon != std::string::npos && values_text(entry).rfind('=', 0) == 0;
+}
+
+void derive_axis(const Entry &entry, const Entries &rows, std::vector<StudyAxis> &axes)
+{
+  const auto [number, factor] = derivation(entry, rows);
+  const auto entries          = entries_of(entry);
+  StudyAxis &axis             = axes[number];
+  for (auto &value : axis.values)
+  {
+    auto parts       = split(value, ';');
+    const auto first = parse_free_quantity(parts.front());
+    if (!first)
+      entry.fail("The value " + in_quotes(value) + " of " + in_quotes(rows[number]->name) +
+                     " is no number with a known unit, and cannot be multiplied.",
+                 "Write the values out: 'value | value'.");
+    parts.resize(axis.entries.size(), parts.front()); // one for all becomes one for each
+    parts.insert(parts.end(), entries.size(), quantity_text(first->number * factor, first->unit));
+    value.clear();
+    for (const auto &part : parts)
+      value += (value.empty() ? "" : "; ") + part;
+  }
+  axis.entries.insert(axis.entries.end(), entries.begin(), entries.end());
+}
 
 std::string origin_of(const Entry &entry)
 {
@@ -122,19 +196,9 @@ std::string origin_of(const Entry &entry)
 
 StudyAxis read_axis(const Entry &entry)
 {
-  const std::string &text = entry.text();
-  const auto colon        = text.find(':');
-  if (colon == std::string::npos)
-    entry.fail("No ':' separates the entry from its values.", example);
-
   StudyAxis axis;
-  for (const auto &path : split(text.substr(0, colon), ','))
-  {
-    if (path.empty())
-      entry.fail("The name of an entry is missing.", example);
-    axis.entries.push_back(parse_override(path + "=", origin_of(entry)));
-  }
-  for (const auto &value : split(text.substr(colon + 1), '|'))
+  axis.entries = entries_of(entry);
+  for (const auto &value : split(values_text(entry), '|'))
     for (auto &member : expanded(entry, value))
       axis.values.push_back(std::move(member));
   check_values(entry, axis);

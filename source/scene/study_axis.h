@@ -14,6 +14,13 @@ namespace ricochet
 /// stands for all its members. Throws InputError.
 StudyAxis read_axis(const Entry &entry);
 
+/// Whether its values follow from those of another axis: "Section/Entry: = 4 * Axis 1".
+bool is_derived(const Entry &entry);
+
+/// Ties the entries of a derived axis to the axis that it follows, whose cases then change them
+/// too. rows: the entries of the axes. Throws InputError.
+void derive_axis(const Entry &entry, const Entries &rows, std::vector<StudyAxis> &axes);
+
 /// A column of the study's table, and whose value stands in it.
 struct AxisColumn
 {

@@ -4,6 +4,8 @@
 #include "ricochet/scene/text_tools.h"
 #include "scene_sections.h"
 #include "study_axis.h"
+#include "study_kind.h"
+#include "study_limit.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -46,10 +48,12 @@ std::vector<ParameterEntry> read_settings(const Entry &entry)
   return settings;
 }
 
-/// names: of the axes' entries.
-void read_ensemble(const Entry &entry, std::vector<StudyAxis> &axes,
-                   const std::vector<std::string> &names)
+/// rows: the entries of the axes.
+void read_ensemble(const Entry &entry, std::vector<StudyAxis> &axes, const Entries &rows)
 {
+  std::vector<std::string> names;
+  for (const Entry *const row : rows)
+    names.push_back(row->name);
   for (const auto &wanted : list_of(entry))
   {
     const auto found = std::find(names.begin(), names.end(), wanted);
@@ -64,9 +68,11 @@ void read_ensemble(const Entry &entry, std::vector<StudyAxis> &axes,
 
 /// The name of the scene that the others are compared with, or "".
 std::string read_reference(const Entry &reference, const Entry &ensemble,
-                           const Combination combination, const std::vector<std::string> &scenes)
+                           const StudyParameters &study, const std::vector<std::string> &scenes)
 {
   const std::string &text = reference.text();
+  if (study.kind == StudyKind::convergence)
+    return ""; // its reference is a value of an axis
   if (text.empty())
   {
     if (ensemble.is_given())
@@ -79,7 +85,7 @@ std::string read_reference(const Entry &reference, const Entry &ensemble,
                    "Write it as it stands in 'Scenes': " + joined(scenes, " or ") + ".");
   if (scenes.size() < 2)
     reference.fail("There is nothing to compare with it.", "Add another scene to 'Scenes'.");
-  if (combination == Combination::one_at_a_time)
+  if (study.combination == Combination::one_at_a_time)
     reference.fail("Cases are compared under the same values of all axes, but the axes are varied "
                    "one at a time.",
                    "Remove 'Combine', or the reference.");
@@ -108,8 +114,24 @@ Entries add_axes(Section &in)
         "Plate 1/Grid spacing: 1.5 mm | 1.0 mm",
         "An entry of the scenes and the values it takes; several entries, with commas between "
         "them, take the same value or one each: 'value; value | value; value'. A range, 'value to "
-        "value step value', stands for its members"));
+        "value step value', stands for its members. '= 4 * Axis 1' follows another axis"));
   return axes;
+}
+
+/// The axes that are given, and the entries of those that are not derived.
+Entries read_axes(const Entries &rows, std::vector<StudyAxis> &axes)
+{
+  Entries given;
+  for (const Entry *const row : rows)
+    if (row->is_given() && !is_derived(*row))
+    {
+      axes.push_back(read_axis(*row));
+      given.push_back(row);
+    }
+  for (const Entry *const row : rows)
+    if (row->is_given() && is_derived(*row))
+      derive_axis(*row, given, axes);
+  return given;
 }
 
 struct ComparisonRows
@@ -122,7 +144,7 @@ ComparisonRows add_comparison(Section &in)
   const Entry &reference = in.optional(
       "Reference", unbound_text("one of the scenes"), "base.prm",
       "The scene that the others are compared with, under the same values of the axes: outcome, "
-      "path, exit speed, cost");
+      "path, exit speed, cost. With 'Kind = convergence' a value of 'Axis 1'");
   const Entry &ensemble =
       in.optional("Ensemble", unbound_text("axes separated by commas"), "Axis 2",
                   "With a reference: axes that only repeat a run, for its scatter; runs that "
@@ -164,6 +186,8 @@ Section study_section(const std::string &stem, StudyParameters &study, StudySett
       in.optional("Reference data", unbound_text("a CSV file, relative to this file"),
                   "experiment.csv", "Like 'Output/Reference data' in all cases");
   const auto comparison = add_comparison(in);
+  const Entry &kind     = add_kind(in, study);
+  const auto limit      = add_limit(in);
   in.with_default("Pictures", flag(study.pictures), "true",
                   "Whether a comparison of the first eight cases is drawn at the end; with a "
                   "reference also a chart of accuracy against cost");
@@ -172,28 +196,22 @@ Section study_section(const std::string &stem, StudyParameters &study, StudySett
   const auto axes = add_axes(in);
 
   in.check(
-      [&study, &settings, &columns, &shared, &data, comparison, axes]
+      [&study, &settings, &columns, &shared, &data, &kind, comparison, limit, axes]
       {
         study.columns        = list_of(columns);
         study.columns_origin = columns.origin();
-        std::vector<std::string> names;
-        Entries given;
-        for (const Entry *const axis : axes)
-          if (axis->is_given())
-          {
-            study.axes.push_back(read_axis(*axis));
-            names.push_back(axis->name);
-            given.push_back(axis);
-          }
-        settings.scenes    = list_of(*settings.scenes_row);
-        settings.overrides = read_settings(shared);
+        const auto given     = read_axes(axes, study.axes);
+        settings.scenes      = list_of(*settings.scenes_row);
+        settings.overrides   = read_settings(shared);
         if (data.is_given())
           settings.overrides.push_back({"Output", "Reference data", data.text(), origin_of(data)});
-        study.reference = read_reference(*comparison.reference, *comparison.ensemble,
-                                         study.combination, settings.scenes);
+        study.reference =
+            read_reference(*comparison.reference, *comparison.ensemble, study, settings.scenes);
         if (study.combination == Combination::zipped)
           check_zipped(given, study.axes);
-        read_ensemble(*comparison.ensemble, study.axes, names);
+        read_ensemble(*comparison.ensemble, study.axes, given);
+        read_limit(limit, study);
+        check_kind(kind, *comparison.reference, study);
       });
   return in;
 }

@@ -4,6 +4,7 @@
 
 #include "ricochet/base/version.h"
 
+#include "support/scene_text.h"
 #include "support/scratch_directory.h"
 #include "support/two_plates_text.h"
 #include "support/verification.h"
@@ -217,6 +218,23 @@ TEST(Run, FinishedOnesAreNotOverwrittenUnasked)
   EXPECT_TRUE(contains(message_of([&] { run_scene(MPI_COMM_WORLD, file, options); }), "--force"));
   options.force = true;
   EXPECT_EQ(run_scene(MPI_COMM_WORLD, file, options)["failed"], false);
+}
+
+TEST(Run, OneThatBreaksDownHasAReportToo)
+{
+  const ScratchDirectory scratch;
+  const auto folder = (scratch.path() / "results").string();
+  RunOptions options;
+  options.quiet = true;
+  // Contact so stiff that a single step gives the points more energy than the projectile has.
+  const auto file =
+      two_plates_file(folder, {"Contact/Stiffness factor=1000", "Time/Safety factor=1",
+                               "Impact/Speed=5000 m/s", "Output/Report=true"});
+  expect_error<RunError>([&] { run_scene(MPI_COMM_WORLD, file, options); }, {"energy runs away"});
+  if (rank() == 0)
+  {
+    EXPECT_TRUE(contains(read_text(scratch.path() / "results" / "report.html"), "runs away"));
+  }
 }
 
 TEST(Run, EveryResultFileNamesTheVersion)

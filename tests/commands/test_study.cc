@@ -216,7 +216,7 @@ TEST(Study, CasesRunOneByOneAndAreCollected)
 {
   const ScratchDirectory scratch;
   const auto path     = write_study(scratch.path(), "400 m/s");
-  const auto run_with = [&](const bool list, const bool collect, const int only)
+  const auto run_with = [&](const bool list, const bool collect, const std::string &only)
   {
     auto options    = quiet();
     options.list    = list;
@@ -226,16 +226,16 @@ TEST(Study, CasesRunOneByOneAndAreCollected)
     EXPECT_EQ(run_study(MPI_COMM_WORLD, path, options).n_failed, 0);
     return ::testing::internal::GetCapturedStdout();
   };
-  run_with(false, false, 2);
+  run_with(false, false, "2");
   if (rank() == 0)
   {
     EXPECT_FALSE(fs::exists(scratch.path() / "results" / "study.csv"));
   }
-  const auto listed = run_with(true, false, 0);
-  run_with(false, true, 0);
+  const auto listed = run_with(true, false, "");
+  run_with(false, true, "");
   EXPECT_TRUE(contains(message_of([&] { run_study(MPI_COMM_WORLD, path, quiet()); }), "--resume"));
   auto wrong = quiet();
-  wrong.only = 3;
+  wrong.only = "3";
   expect_error([&] { run_study(MPI_COMM_WORLD, path, wrong); }, {"--case 3", "2 cases", "--list"});
   if (rank() != 0)
     return;
@@ -244,6 +244,63 @@ TEST(Study, CasesRunOneByOneAndAreCollected)
   const auto lines = split(read_text(scratch.path() / "results" / "study.csv"), '\n');
   EXPECT_TRUE(contains(lines.at(1), ",missing")) << lines[1];
   EXPECT_TRUE(contains(lines.at(2), ",finished before")) << lines[2];
+}
+
+TEST(Study, PricesAreToldAndNothingIsStarted)
+{
+  const ScratchDirectory scratch;
+  const auto path = write_study(scratch.path(), "400 m/s");
+  auto options    = quiet();
+  options.dry_run = true;
+  ::testing::internal::CaptureStdout();
+  run_study(MPI_COMM_WORLD, path, options);
+  const auto text = ::testing::internal::GetCapturedStdout();
+  EXPECT_FALSE(fs::exists(scratch.path() / "results"));
+  if (rank() != 0)
+    return;
+  EXPECT_TRUE(contains(text, "core-seconds") && contains(text, "memory MB")) << text;
+  EXPECT_TRUE(contains(text, "400 m/s  ") && contains(text, "\n2 to run: ")) << text;
+  EXPECT_TRUE(contains(text, "Nothing was started.")) << text;
+}
+
+TEST(Study, SideBySideIsForAProcessAlone)
+{
+  const ScratchDirectory scratch;
+  const auto path = write_study(scratch.path(), "400 m/s");
+  auto options    = quiet();
+  options.n_jobs  = 2;
+  if (n_ranks() > 1)
+    expect_error([&] { run_study(MPI_COMM_WORLD, path, options); }, {"--jobs 2", "mpirun"});
+}
+
+TEST(Study, SearchesForALimitByCasesOfItsOwn)
+{
+  const ScratchDirectory scratch;
+  const auto path = write_study(scratch.path(), "400 m/s");
+  if (rank() == 0)
+    std::ofstream(path)
+        << "subsection Study\n  set Scenes = base.prm\n  set Columns = outcome\n"
+        << "  set Find limit = Impact/Speed between other and stuck\n"
+        << "  set Limit range = 300 m/s to 500 m/s\n  set Limit tolerance = 50 m/s\n"
+        << "  set Settings = Time/Final time: 1 us\n  set Pictures = false\n"
+        << "  set Report = false\n  set Output directory = "
+        << (scratch.path() / "results").string() << "\nend\n";
+  MPI_Barrier(MPI_COMM_WORLD);
+  ::testing::internal::CaptureStdout();
+  const auto end  = run_study(MPI_COMM_WORLD, path, quiet());
+  const auto text = ::testing::internal::GetCapturedStdout();
+  EXPECT_EQ(end.n_failed, 0);
+  if (rank() != 0)
+    return;
+  // Too short a time: both ends are undecided, which is said, and nothing is searched.
+  EXPECT_TRUE(contains(text, "the range does not hold it: 'undecided' at 300 m/s")) << text;
+  const auto lines = split(read_text(scratch.path() / "results" / "limits.csv"), '\n');
+  EXPECT_EQ(lines.at(0), "group,speed_m_s_low,speed_m_s_high,speed_m_s,half_width,low_outcome,"
+                         "high_outcome,runs,status");
+  EXPECT_TRUE(contains(lines.at(1), "-,300.0,500.0,-,-,undecided,undecided,2,")) << lines[1];
+  const auto record =
+      nlohmann::ordered_json::parse(read_text(scratch.path() / "results" / "study.json"));
+  EXPECT_EQ(record["limits"][0]["is_found"], false);
 }
 
 TEST(Study, ACaseThatAnotherProcessRunsIsLeftToIt)

@@ -128,6 +128,22 @@ class Report(unittest.TestCase):
         titles = [chart["title"] for chart in json.loads(page.by_id["chart-data"])]
         self.assertEqual(titles, ["Exit speed; marks by outcome", "Paths of the centroid", "Speed", "Path"])
 
+    def test_limits_convergence_and_advice_of_a_study(self):
+        write(self.folder, "study.json", json.dumps({"title": "", "file": "", "axes": [], "cases": [], "limits": [
+            {"group": "30 deg", "label": "speed", "unit": "m/s", "low": 700.0, "high": 710.0, "low_outcome": "ricochet",
+             "high_outcome": "perforate", "runs": 8, "is_found": True, "status": "found"},
+            {"group": "40 deg", "label": "speed", "unit": "m/s", "low": 500.0, "high": 900.0, "low_outcome": "stuck",
+             "high_outcome": "stuck", "runs": 2, "is_found": False, "status": "not found: the range does not hold it"}]}))
+        write(self.folder, "study.csv", "case,status\n")
+        write(self.folder, "convergence_orders.csv", "group,quantity,order\n-,path_mm,1.93\n")
+        write(self.folder, "convergence_damage.png", PNG)
+        write(self.folder, "comparison.txt", "Within 2 % the cheapest is <a>.\n")
+        page = self.page()
+        text = "".join(page.words)
+        for said in ("705 ± 5 m/s", "the range does not hold it", "1.93", "Within 2 % the cheapest is <a>."):
+            self.assertIn(said, text)
+        self.assertEqual(page.images, 1)
+
     def test_without_library_it_is_plain(self):
         write_run(self.folder)
         write(self.folder, "history.png", PNG)

@@ -364,6 +364,87 @@ TEST_F(StudyFile, EntriesStandInTheSection)
       {"top.prm:1", "no entry 'Title' outside the sections", "'Study/Title'"});
 }
 
+TEST_F(StudyFile, AnAxisMayFollowFromAnother)
+{
+  const auto read = study("set Scenes = scenes/one.prm\n"
+                          "set Axis 1 = Plate 1/Grid spacing: 2.5 mm | 2.0 mm\n"
+                          "set Axis 2 = Projectile/Nose length: = 4 * Axis 1\n"
+                          "set Axis 3 = Impact/Speed: 500 m/s | 600 m/s\n");
+  ASSERT_EQ(read.cases.size(), 4u); // it adds none
+  EXPECT_EQ(read.axes[0].values, (Names{"2.5 mm; 10 mm", "2.0 mm; 8 mm"}));
+  const auto halved = study("set Scenes = scenes/one.prm\n"
+                            "set Axis 1 = Projectile/Diameter: = Axis 2 / 2\n"
+                            "set Axis 2 = Projectile/Nose length, Plate 1/Grid spacing: 5 mm\n");
+  EXPECT_EQ(halved.axes[0].values, (Names{"5 mm; 5 mm; 2.5 mm"}));
+  for (const std::string wrong :
+       {"= 4 * Axis 3", "= 4 * Axis 2", "= 2 mm * Axis 1", "= 0 * Axis 1", "= 2 / Axis 1", "= 3"})
+    expect_study_error("set Scenes = scenes/one.prm\n"
+                       "set Axis 1 = Plate 1/Grid spacing: 2.5 mm | 2.0 mm\n"
+                       "set Axis 2 = Projectile/Nose length: " +
+                           wrong + "\n",
+                       {"Axis 2", "does not follow from an axis", "'= 4 * Axis 1'"});
+}
+
+TEST_F(StudyFile, ALimitIsAnAxisThatGrows)
+{
+  auto read = study("set Scenes = scenes/one.prm\n"
+                    "set Axis 1 = Impact/Incidence angle: 20 deg | 30 deg\n"
+                    "set Find limit = Impact/Speed between ricochet and perforate\n"
+                    "set Limit range = 500 m/s to 0.9 mm/us\nset Limit tolerance = 10 m/s\n");
+  EXPECT_EQ(read.axis_columns.back().name, "speed_m_s");
+  ASSERT_EQ(read.cases.size(), 4u);
+  EXPECT_EQ(read.cases[1].name, "one__incidence_angle_20_deg__speed_900_m_s");
+  add_limit_case(read, 3, 700.);
+  EXPECT_EQ(read.cases.back().name, "one__incidence_angle_30_deg__speed_700_m_s");
+  EXPECT_DOUBLE_EQ(read_scene(read.cases.back().file).impact.speed, 700.);
+  EXPECT_EQ(read.cases.back().values, (std::vector<std::size_t>{1, 2}));
+}
+
+TEST_F(StudyFile, WrongLimitsAreExplained)
+{
+  const std::string scenes = "set Scenes = scenes/one.prm\n";
+  const auto expect        = [&](const std::string &limit, const std::string &range,
+                          const std::string &tolerance, const std::vector<std::string> &parts)
+  {
+    expect_study_error(scenes + "set Find limit = " + limit + "\nset Limit range = " + range +
+                           "\nset Limit tolerance = " + tolerance + "\n",
+                       parts);
+  };
+  const std::string good = "Impact/Speed between ricochet and perforate";
+  expect(good, "900 m/s to 500 m/s", "10 m/s", {"study.prm:4", "'500 m/s to 900 m/s'"});
+  expect(good, "500 m/s to 900", "10 m/s", {"unit does not go with"});
+  expect(good, "500 m/s", "10 m/s", {"no two ends"});
+  expect(good, "500 m/s to 900 m/s", "400 m/s", {"study.prm:5", "narrower than the range"});
+  expect("Impact/Speed between ricochet and perforated", "1 m/s to 2 m/s", "1 mm/s",
+         {"did you mean 'perforate'?"});
+  expect("Impact/Speed between stuck and stuck", "1 m/s to 2 m/s", "1 mm/s", {"an outcome and"});
+  expect("Impact/Sped between stuck and edge", "1 m/s to 2 m/s", "0.1 m/s", {"Speed"});
+  expect_study_error(scenes + "set Limit range = 1 m/s to 2 m/s\n", {"go together"});
+  expect_study_error(scenes + "set Axis 1 = Impact/Speed: 1 m/s\nset Find limit = " + good +
+                         "\nset Limit range = 1 m/s to 2 m/s\nset Limit tolerance = 0.1 m/s\n",
+                     {"is an axis of the study, too"});
+}
+
+TEST_F(StudyFile, KindsNeedTheirAxes)
+{
+  const std::string scenes = "set Scenes = scenes/one.prm\n",
+                    speeds = "set Axis 1 = Impact/Speed: 500 m/s | 600 m/s\n",
+                    angles = "set Axis 2 = Impact/Incidence angle: 20 deg | 30 deg\n";
+  EXPECT_EQ(study(scenes + speeds + angles + "set Kind = map\n").kind, StudyKind::map);
+  expect_study_error(scenes + speeds + "set Kind = map\n",
+                     {"Study/Kind", "two axes of numbers", "has 1", "Axis 2"});
+  expect_study_error(scenes + speeds + "set Kind = mapp\n", {"'map'"});
+  const std::string grids = "set Axis 1 = Plate 1/Grid spacing: 2.5 mm | 1 mm | 2 mm\n",
+                    kind  = "set Kind = convergence\n";
+  EXPECT_EQ(study(scenes + grids + kind).finest, 1u);
+  EXPECT_EQ(study(scenes + grids + kind + "set Reference = 2 mm\n").finest, 2u);
+  expect_study_error(scenes + grids + kind + "set Reference = 3 mm\n", {"'Axis 1'", "1 mm"});
+  expect_study_error(scenes + kind, {"no axis to refine"});
+  expect_study_error(scenes + kind + "set Axis 1 = Contact/Friction law: exponential | constant\n",
+                     {"no number above 0"});
+  expect_study_error(scenes + kind + "set Axis 1 = Impact/Speed: 500 m/s\n", {"a single value"});
+}
+
 TEST_F(StudyFile, SceneIsNotAStudy)
 {
   const std::string scene = folder.write("scene.prm", scene_text);

@@ -54,6 +54,26 @@ enum class Combination
   zipped         // the first values of all axes, then the second ones
 };
 
+/// What a study is for, beyond its table.
+enum class StudyKind
+{
+  cases,      // its runs
+  map,        // outcomes over two axes of numbers
+  convergence // what becomes of the results when the first axis is refined
+};
+
+/// A limit that is searched for by bisection over the values of an entry.
+struct StudyLimit
+{
+  std::size_t axis;   // of the study, its last; has both ends of the range as its first values
+  std::size_t column; // of the study's axis_columns
+  double low;         // lower end of the range, in the unit of that column
+  double high;        // upper end
+  double tolerance;   // of the bracket's width, in that unit
+  std::string below;  // outcome at the low end; "other": all but the one at the other end
+  std::string above;  // at the high end, likewise
+};
+
 /// One run.
 struct StudyCase
 {
@@ -78,6 +98,12 @@ struct StudyParameters
   std::vector<StudyAxis> axes;           // at most 20
   std::vector<StudyColumn> axis_columns; // one per axis, or per entry with values of its own
   Combination combination;               // how the axes' values make cases
+  StudyKind kind;                        // what it is for
+  std::optional<StudyLimit> limit;       // to be searched for
+  std::size_t finest;                    // of a study of convergence: value of the first axis that
+                                         // the others are compared with
+  std::vector<ParameterEntry> shared;    // entries that all cases share
+  std::string directory_origin;          // of the output directory
   bool pictures;                         // draw a comparison at the end
   bool report;                           // write report.html at the end
   std::string reference; // the scene that the others are compared with, as in StudyCase; or ""
@@ -86,6 +112,10 @@ struct StudyParameters
   /// and a machine whose speed drifts is as unfair to one as to the other.
   std::vector<StudyCase> cases;
 };
+
+/// Adds a case like the one of that number with another value of the limit's entry, in the unit of
+/// its column. Throws as read_study().
+void add_limit_case(StudyParameters &study, std::size_t like, double value);
 
 /// "grid_spacing_1.5_mm__size_198_mm" of a case of the study: the values of its axes without those
 /// of the ensemble, "" if there are none. One at a time is not supported.

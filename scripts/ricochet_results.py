@@ -1,7 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read the results of a ricochet run or study. Columns are found by their names, wherever they stand."""
+"""Read the results of a ricochet run or study into numpy. Columns are found by their names, wherever they stand.
+
+    import ricochet_results
+    run = ricochet_results.Run("output/quickstart")
+    run.summary["outcome"], run.history["speed"], run.history.units["speed"]
+    frame = run.frame(20.0)                     # of section.h5, the nearest to 20 us
+    frame.time, frame.points, frame.damage      # us, mm, 0 to 1
+    for case in ricochet_results.Study("output/study"):
+        case.label, case.axes["speed_m_s"], case.run.summary["exit_speed_m_s"]
+
+Needs numpy and h5py; lies beside the scripts that draw, which use it: share/ricochet/scripts of an installation.
+"""
 
 import csv
+import functools
 import json
 import os
 import re
@@ -180,3 +192,59 @@ def title_of(directory):
     if summary.get("max_depth_mm") is not None:
         parts.append(f"greatest depth {summary['max_depth_mm']:.1f} mm")
     return summary.get("title") or name, "  ·  ".join(part for part in parts if part)
+
+
+class Run:
+    """The results of one run: summary (an empty dictionary if it has not ended), history (None if there is none), frames,
+    damage maps. Each is read when it is first asked for."""
+
+    def __init__(self, directory):
+        self.directory = directory
+
+    @functools.cached_property
+    def summary(self):
+        """summary.json."""
+        return read_summary(self.directory) or {}
+
+    @functools.cached_property
+    def history(self):
+        """history.csv, columns by their names without units."""
+        return read_history(self.directory)
+
+    @functools.cached_property
+    def frame_times(self):
+        """Times of all frames of section.h5 [us], in their order."""
+        path = os.path.join(self.directory, "section.h5")
+        if not os.path.exists(path):
+            return np.array([])
+        with h5py.File(path, "r") as file:
+            return np.sort([file[name].attrs["time_s"] * 1e6 for name in file])
+
+    def frame(self, time):
+        """The frame nearest to a time [us]; None if there is none."""
+        frames, _ = read_frames(self.directory, [time * 1e-6, time * 1e-6])
+        return frames[0] if frames else None
+
+    @functools.cached_property
+    def damage_maps(self):
+        """The maps of damage.h5, plate by plate from above."""
+        return read_damage(self.directory)
+
+
+class Case:
+    """A case of a study: name, label, scene, status, values of the axes by the names of their columns, and its run."""
+
+    def __init__(self, directory, study, record):
+        self.name, self.label, self.status = record["name"], record["label"], record["status"]
+        self.scene = record.get("scene", "")
+        self.axes = dict(zip([axis["name"] for axis in study["axes"]], record["axes"]))
+        self.run = Run(os.path.join(directory, self.name))
+
+
+class Study(list):
+    """The cases of a study, and what study.json says of it."""
+
+    def __init__(self, directory):
+        self.directory, self.record = directory, read_study(directory)
+        super().__init__(Case(directory, self.record, record) for record in self.record.get("cases", []))
+        self.axes, self.limits = self.record.get("axes", []), self.record.get("limits", [])
