@@ -163,6 +163,7 @@ TEST(Pictures, TakeAnyTitleAsItIs)
     std::ofstream(scratch.path() / "study.csv") << "case,status\none,ok\n";
     std::ofstream(scratch.path() / "study.json")
         << nlohmann::json{{"title", title},
+                          {"axes", nlohmann::json::array()},
                           {"cases",
                            {{{"name", "one"},
                              {"label", title},

@@ -131,22 +131,21 @@ double smallest_eigenvalue(const double poisson_ratio, const bool clip)
   return smallest;
 }
 
-TEST(V27Failures, CalibrationWithoutClippingCanDiverge)
+TEST(V27Failures, CalibrationFitsALatticeThatIsFarFromIsotropic)
 {
-  // omega = 1 is not isotropic; what fits it has the most negative eigenvalues.
+  // omega = 1 makes C44 11 % larger than the shear modulus. Elements of the lattice's anisotropy
+  // fit it; isotropic ones left 2.3 % of the strain, and without clipping they diverged, by 0.27 a
+  // step.
   StabilityParameters parameters;
-  parameters.influence                 = InfluenceFunction::constant;
-  parameters.coupling.calibration.clip = false;
-  const auto without                   = run_stability_experiment(MPI_COMM_WORLD, parameters);
-  EXPECT_EQ(without.verdict, StabilityVerdict::unstable);
-  EXPECT_LT(without.smallest_eigenvalue, -0.02);
-  // Recorded: 0.15.
-  verify_at_least("V27", "calibration without clipping, ω = 1: growth per step",
-                  without.growth_per_step, 0.05);
-  parameters.coupling.calibration.clip = true;
-  const auto with                      = run_stability_experiment(MPI_COMM_WORLD, parameters);
-  EXPECT_EQ(with.verdict, StabilityVerdict::inaccurate);
-  EXPECT_LT(std::abs(with.growth_per_step), 1e-4);
+  parameters.influence = InfluenceFunction::constant;
+  for (const bool clip : {true, false})
+  {
+    parameters.coupling.calibration.clip = clip;
+    const auto result                    = run_stability_experiment(MPI_COMM_WORLD, parameters);
+    EXPECT_EQ(result.verdict, StabilityVerdict::stable) << clip;
+    EXPECT_LT(std::abs(result.growth_per_step), 1e-4) << clip;
+    verify_at_most("V27", "calibration, ω = 1: strain error", result.patch.strain_error, 2e-3);
+  }
 }
 
 TEST(V27Failures, CalibrationWithoutClippingHasNegativeEigenvalues)

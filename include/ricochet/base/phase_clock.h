@@ -43,8 +43,8 @@ public:
   class Work
   {
   public:
-    explicit Work(Phase phase);
-    ~Work();
+    explicit Work(Phase phase); // begins
+    ~Work();                    // what went on before goes on
     Work(const Work &)            = delete;
     Work &operator=(const Work &) = delete;
 

@@ -55,12 +55,13 @@ public:
   /// rank would have added it.
   struct SummationOrder
   {
+    /// One of them, added after those before it.
     struct Term
     {
       int node;   // owned
       int source; // a copy, or from n_nodes() on: of other ranks', in the order they come in
     };
-    std::vector<Term> terms;
+    std::vector<Term> terms; // of all such nodes
   };
   /// Node k of the list follows its masters: x = sum of weight * x of masters first[k] ...
   /// first[k + 1] - 1. Masters never hang themselves. Covers all hanging nodes of this rank's
