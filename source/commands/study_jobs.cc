@@ -51,7 +51,8 @@ bool run_side_by_side(const StudyParameters &study, const std::vector<std::size_
   listener.line = [&](const std::size_t job, const std::string &line)
   {
     // What a process says of its case begins with that number itself, as far as it knows it.
-    const auto text = line.rfind("[", 0) == 0 ? line.substr(line.find("] ") + 2) : line;
+    const auto text =
+        !line.empty() && line.front() == '[' ? line.substr(line.find("] ") + 2) : line;
     if (!text.empty())
       std::printf("[%s] %s\n", in_front(job).c_str(), text.c_str());
     std::fflush(stdout);

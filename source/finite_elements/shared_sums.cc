@@ -168,6 +168,7 @@ HangingSums::HangingSums(const MPI_Comm communicator, const HexMesh &mesh,
             [](const Term &a, const Term &b)
             { return std::tie(a.master, a.place) < std::tie(b.master, b.place); });
   std::vector<int> n_sent;
+  n_sent.reserve(sent.size());
   for (const auto &list : sent)
     n_sent.push_back(static_cast<int>(list.size()));
   messages_ = TripleMessages(communicator, mpi_tag::hanging_sums, n_sent);
