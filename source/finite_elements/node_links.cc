@@ -59,6 +59,7 @@ void NodeLinks::number_sums()
   const auto numbers_of = [&](const std::vector<int> &nodes)
   {
     std::vector<int> numbers;
+    numbers.reserve(nodes.size());
     for (const int node : nodes)
       numbers.push_back(static_cast<int>(std::lower_bound(summed_.begin(), summed_.end(), node) -
                                          summed_.begin()));
