@@ -60,29 +60,6 @@ struct Running
   std::string rest = ""; // of its output: what has no line's end yet
 };
 
-/// Of a program whose output and errors go into the pipe; 0, or the reason why not.
-int start(const Job &job, const int pipe_end, pid_t &process)
-{
-  std::vector<char *> arguments, variables = environment_without_mpi();
-  for (const auto &word : job)
-    arguments.push_back(const_cast<char *>(word.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  const int reason = posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(),
-                                  variables.data());
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  return reason;
-}
-
 /// Its exit status, or minus its signal.
 int status_of(const pid_t process)
 {
@@ -111,7 +88,7 @@ public:
       return listener_.ended(number, not_started);
     listener_.started(number);
     pid_t process    = 0;
-    const int reason = start(jobs_[number], ends[1], process);
+    const int reason = start_program(jobs_[number], ends[1], POSIX_SPAWN_SETPGROUP, process);
     close(ends[1]);
     if (reason == 0)
       running_.push_back({number, process, ends[0]});

@@ -19,29 +19,6 @@ namespace ricochet
 {
 namespace
 {
-/// Starts the program with its output into the pipe; 0, or the reason why not. posix_spawn and not
-/// fork, because a fork of a process with MPI's registered memory is not safe.
-int start(const std::string &program, std::vector<char *> arguments, const int pipe_end,
-          pid_t &child)
-{
-  std::vector<char *> variables = environment_without_mpi();
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
-  // In a session of its own: mpirun, when it is asked to end, kills the groups of its processes,
-  // and what has been begun is drawn to the end all the same.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
-  const int reason = posix_spawnp(&child, program.c_str(), &actions, &attributes, arguments.data(),
-                                  variables.data());
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  return reason;
-}
-
 /// All that comes until the other end is closed; returns false if that takes longer than the limit.
 bool read_all(const int descriptor, const std::chrono::seconds limit, std::string &text)
 {
@@ -111,19 +88,40 @@ std::filesystem::path this_program()
   return std::filesystem::read_symlink("/proc/self/exe", error);
 }
 
+int start_program(const std::vector<std::string> &words, const int pipe_end, const short apart,
+                  pid_t &process)
+{
+  std::vector<char *> arguments, variables = environment_without_mpi();
+  for (const auto &word : words)
+    arguments.push_back(const_cast<char *>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
+  posix_spawnattr_t attributes; // a group of its own is number 0 by default
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, apart);
+  const int reason = posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(),
+                                  variables.data());
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  return reason;
+}
+
 ProgramResult run_program(const std::string &program, const std::vector<std::string> &arguments,
                           const std::chrono::seconds limit)
 {
-  std::vector<char *> argv = {const_cast<char *>(program.c_str())};
-  for (const std::string &argument : arguments)
-    argv.push_back(const_cast<char *>(argument.c_str()));
-  argv.push_back(nullptr);
-
+  std::vector<std::string> words{program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
     return {ProgramResult::not_run, std::strerror(errno)};
+  // In a session of its own: mpirun, when it is asked to end, kills the groups of its processes,
+  // and what has been begun is drawn to the end all the same.
   pid_t child      = 0;
-  const int reason = start(program, argv, ends[1], child);
+  const int reason = start_program(words, ends[1], POSIX_SPAWN_SETSID, child);
   close(ends[1]);
   ProgramResult result{ProgramResult::not_run, ""};
   if (reason != 0)

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace ricochet
@@ -22,6 +23,11 @@ std::filesystem::path script_folder(const std::filesystem::path &program);
 /// The variables of this process without the marks of MPI, ended by a null pointer: what is started
 /// with them is no part of this process's job.
 std::vector<char *> environment_without_mpi();
+
+/// Starts a program, found as by a shell, with its arguments behind it, its output and errors going
+/// into the pipe; 0, or the reason why not. `apart`: POSIX_SPAWN_SETPGROUP or _SETSID. posix_spawn
+/// and not fork, because a fork of a process with MPI's registered memory is not safe.
+int start_program(const std::vector<std::string> &words, int pipe_end, short apart, pid_t &process);
 
 struct ProgramResult
 {
